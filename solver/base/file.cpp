@@ -1,0 +1,74 @@
+#include "solver/base/file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "solver/base/error.hpp"
+
+namespace eerie {
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(std::string_view doing, const fs::path& path) {
+  throw EnvironmentError(fmt::format("cannot {} {}: {}", doing, path.string(), std::strerror(errno)));
+}
+
+void sync_path(const fs::path& path, int flags) {
+  const int fd = ::open(path.c_str(), flags | O_CLOEXEC);
+  if (fd < 0) fail("open", path);
+  const int status = ::fsync(fd);
+  const int saved = errno;
+  ::close(fd);
+  errno = saved;
+  // Some file systems cannot fsync a directory and say EINVAL; the rename is all they offer.
+  if (status != 0 && errno != EINVAL) fail("flush", path);
+}
+
+}  // namespace
+
+std::string read_file(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    throw EnvironmentError(fmt::format("cannot read {}: it is a folder", path.string()));
+  std::ifstream in(path, std::ios::binary);
+  if (!in) fail("read", path);
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (in.bad()) fail("read", path);
+  return text;
+}
+
+void install_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  // The pid keeps two writers apart; the name starts with a dot so that globs pass it by.
+  const fs::path temporary =
+      folder / fmt::format(".{}.{}.tmp", path.filename().string(), ::getpid());
+  try {
+    write(temporary);
+    sync_path(temporary, O_RDONLY);
+    if (::rename(temporary.c_str(), path.c_str()) != 0) fail("install", path);
+    sync_path(folder, O_RDONLY | O_DIRECTORY);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw;
+  }
+}
+
+void install_text(const fs::path& path, std::string_view text) {
+  install_file(path, [&](const fs::path& temporary) {
+    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
+    if (!out) fail("create", temporary);
+    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    out.close();
+    if (!out) fail("write", temporary);
+  });
+}
+
+}  // namespace eerie

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solver/base/tensor.hpp"
+#include "solver/base/vec3.hpp"
+
+namespace eerie {
+
+/// Which of the two bodies a particle came from.
+enum class Body : std::uint8_t { target = 0, impactor = 1 };
+
+/// What is integrated, one entry per particle, in memory order (see tree/order.hpp), SI.
+/// Mass and smoothing length are the same for every particle and constant in time.
+struct State {
+  double time = 0;       ///< s since the start of the run
+  long step = 0;         ///< steps done
+  double mass = 0;       ///< of one particle, kg
+  double h = 0;          ///< smoothing length, m
+  std::vector<std::uint32_t> id;  ///< 0..N-1, fixed for the whole run
+  std::vector<std::uint8_t> body; ///< Body
+  std::vector<Vec3> x;            ///< m
+  std::vector<Vec3> v;            ///< m/s
+  std::vector<double> rho;        ///< kg/m^3
+  std::vector<SymTensor> S;       ///< deviatoric stress, Pa
+
+  std::size_t size() const { return x.size(); }
+};
+
+/// Time derivatives of the state at its last evaluation. Gravity is kicked apart and is not
+/// in dv_dt.
+struct Rates {
+  std::vector<Vec3> dv_dt;
+  std::vector<double> drho_dt;
+  std::vector<SymTensor> dS_dt;
+};
+
+/// What a run needs, beyond State and Rates, to go on with the same bits: neighbour lists are
+/// a pure function of the memory order and of where the particles were when they were built.
+struct Restart {
+  std::vector<Vec3> list_x;  ///< positions at the last list build, m
+};
+
+/// The one table of per-particle fields; reordering, resizing, saving, loading and comparing
+/// walk it. visit(name, array).
+template <class S, class Visit>
+void visit_state(S& state, Visit&& visit) {
+  visit("ParticleIDs", state.id);
+  visit("BodyIDs", state.body);
+  visit("Coordinates", state.x);
+  visit("Velocities", state.v);
+  visit("Densities", state.rho);
+  visit("DeviatoricStresses", state.S);
+}
+template <class R, class Visit>
+void visit_rates(R& rates, Visit&& visit) {
+  visit("Accelerations", rates.dv_dt);
+  visit("DensityRates", rates.drho_dt);
+  visit("StressRates", rates.dS_dt);
+}
+
+inline void resize(State& state, std::size_t n) {
+  visit_state(state, [n](const char*, auto& array) { array.resize(n); });
+}
+inline void resize(Rates& rates, std::size_t n) {
+  visit_rates(rates, [n](const char*, auto& array) { array.resize(n); });
+}
+
+}  // namespace eerie

@@ -1,0 +1,138 @@
+#include "solver/scene/scene.hpp"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "solver/base/constants.hpp"
+#include "solver/base/error.hpp"
+#include "solver/scene/scene_schema_text.hpp"
+#include "solver/scene/validate.hpp"
+
+namespace eerie {
+using nlohmann::json;
+
+namespace {
+
+/// The one table of scene fields: JSON path <-> member. Reading and writing both walk it.
+template <class SceneType, class Visit>
+void visit_fields(SceneType& s, Visit&& visit) {
+  visit("/target/radius_m", s.target.radius_m);
+  visit("/impact/q", s.impact.q);
+  visit("/impact/v_imp_cm_per_s", s.impact.v_imp_cm_per_s);
+  visit("/impact/theta_imp_deg", s.impact.theta_imp_deg);
+  visit("/impact/separation", s.impact.separation);
+  visit("/material/rho0_kg_per_m3", s.material.rho0_kg_per_m3);
+  visit("/material/shear_modulus_Pa", s.material.shear_modulus_Pa);
+  visit("/material/eos", s.material.eos);
+  visit("/material/tillotson/A_Pa", s.material.tillotson.A_Pa);
+  visit("/material/tillotson/B_Pa", s.material.tillotson.B_Pa);
+  visit("/material/tillotson/a", s.material.tillotson.a);
+  visit("/material/tillotson/b", s.material.tillotson.b);
+  visit("/material/tillotson/u0_J_per_kg", s.material.tillotson.u0_J_per_kg);
+  visit("/material/tillotson/u_iv_J_per_kg", s.material.tillotson.u_iv_J_per_kg);
+  visit("/material/tillotson/u_cv_J_per_kg", s.material.tillotson.u_cv_J_per_kg);
+  visit("/material/tillotson/alpha", s.material.tillotson.alpha);
+  visit("/material/tillotson/beta", s.material.tillotson.beta);
+  visit("/material/rheology", s.material.rheology);
+  visit("/material/drucker_prager/phi_d_deg", s.material.drucker_prager.phi_d_deg);
+  visit("/material/drucker_prager/cohesion_Pa", s.material.drucker_prager.cohesion_Pa);
+  visit("/numerics/particles_per_target", s.numerics.particles_per_target);
+  visit("/numerics/seed", s.numerics.seed);
+  visit("/numerics/packing", s.numerics.packing);
+  visit("/numerics/kernel", s.numerics.kernel);
+  visit("/numerics/h_over_spacing", s.numerics.h_over_spacing);
+  visit("/numerics/viscosity_alpha", s.numerics.viscosity_alpha);
+  visit("/numerics/viscosity_beta", s.numerics.viscosity_beta);
+  visit("/numerics/cfl", s.numerics.cfl);
+  visit("/numerics/opening_angle", s.numerics.opening_angle);
+  visit("/numerics/gravity_interval", s.numerics.gravity_interval);
+  visit("/numerics/list_skin", s.numerics.list_skin);
+  visit("/numerics/precision", s.numerics.precision);
+  visit("/end/time_s", s.end.time_s);
+  visit("/output/snapshot_interval_s", s.output.snapshot_interval_s);
+  visit("/output/history_interval_s", s.output.history_interval_s);
+  visit("/output/checkpoint_interval_s", s.output.checkpoint_interval_s);
+}
+
+/// 5000.0 is an integer to JSON Schema but not to the parser's types: make it one.
+void normalise_integers(json& node) {
+  if (node.is_structured()) {
+    for (json& child : node) normalise_integers(child);
+  } else if (node.is_number_float()) {
+    const double value = node.get<double>();
+    if (value == std::floor(value) && std::abs(value) < 0x1p53) node = static_cast<std::int64_t>(value);
+  }
+}
+
+std::string sha256_hex(const std::string& text) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned int length = 0;
+  if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
+    throw EnvironmentError("SHA-256 is not available in this OpenSSL");
+  std::string hex;
+  for (unsigned int i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
+  return hex;
+}
+
+}  // namespace
+
+const json& scene_schema() {
+  static const json schema = json::parse(scene_schema_text);
+  return schema;
+}
+
+Scene parse_scene(const json& given, const std::string& where) {
+  json document = given;
+  normalise_integers(document);
+  require_valid(scene_schema(), document, where);
+  document = with_defaults(scene_schema(), std::move(document));
+  Scene scene;
+  visit_fields(scene, [&](const char* path, auto& member) {
+    document.at(json::json_pointer(path)).get_to(member);
+  });
+  if (impactor_particles(scene) < 100)
+    throw InputError(fmt::format(
+        "{}.impact.q = {}: the impactor would have {} particles and needs at least 100; "
+        "raise numerics.particles_per_target to {} or more, or raise q",
+        where, scene.impact.q, impactor_particles(scene),
+        static_cast<std::int64_t>(std::ceil(100 / scene.impact.q))));
+  return scene;
+}
+
+json to_json(const Scene& scene) {
+  json document;
+  visit_fields(scene, [&](const char* path, const auto& member) {
+    document[json::json_pointer(path)] = member;
+  });
+  return document;
+}
+
+std::string scene_hash(const Scene& scene) {
+  json identity = to_json(scene);
+  identity.erase("output");
+  return sha256_hex(identity.dump());
+}
+
+double impactor_radius(const Scene& s) { return s.target.radius_m * std::cbrt(s.impact.q); }
+double target_mass(const Scene& s) {
+  return s.material.rho0_kg_per_m3 * sphere_volume(s.target.radius_m);
+}
+double particle_mass(const Scene& s) {
+  return target_mass(s) / static_cast<double>(s.numerics.particles_per_target);
+}
+double smoothing_length(const Scene& s) {
+  return s.numerics.h_over_spacing * std::cbrt(particle_mass(s) / s.material.rho0_kg_per_m3);
+}
+std::int64_t impactor_particles(const Scene& s) {
+  return std::llround(s.impact.q * static_cast<double>(s.numerics.particles_per_target));
+}
+double contact_distance(const Scene& s) { return s.target.radius_m + impactor_radius(s); }
+double friction_coefficient(const Scene& s) {
+  return std::tan(radians(s.material.drucker_prager.phi_d_deg));
+}
+
+}  // namespace eerie

@@ -1,0 +1,136 @@
+#include "solver/scene/validate.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+#include <vector>
+
+#include "solver/base/error.hpp"
+
+namespace eerie {
+using nlohmann::json;
+
+namespace {
+
+/// "must be greater than 0 and at most 1": the allowed values of a leaf, in words.
+std::string allowed_values(const json& leaf) {
+  if (leaf.contains("enum")) {
+    std::vector<std::string> words;
+    for (const json& word : leaf["enum"]) words.push_back(word.dump());
+    return fmt::format("must be one of {}", fmt::join(words, ", "));
+  }
+  std::vector<std::string> bounds;
+  const auto bound = [&](const char* key, const char* words) {
+    if (leaf.contains(key)) bounds.push_back(fmt::format("{} {:.10g}", words, leaf[key].get<double>()));
+  };
+  bound("exclusiveMinimum", "greater than");
+  bound("minimum", "at least");
+  bound("exclusiveMaximum", "less than");
+  bound("maximum", "at most");
+  const std::string type = leaf.value("type", "value");
+  const std::string noun = (type == "integer" || type == "object" || type == "array" ? "an " : "a ") + type;
+  if (bounds.empty()) return "must be " + noun;
+  return fmt::format("must be {} {}", noun, fmt::join(bounds, " and "));
+}
+
+std::string field_names(const json& node) {
+  std::vector<std::string> names;
+  for (const auto& [name, ignored] : node.at("properties").items()) names.push_back(name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Walks document and schema together; returns the first fault as a sentence, or "".
+/// valijson decides *whether* a document is valid; this finds *where*, in the user's terms.
+std::string first_fault(const json& schema, const json& document, const std::string& path) {
+  const std::string meaning = schema.value("description", "");
+  const auto fault = [&](const std::string& rule) {
+    std::string text = fmt::format("{} = {}: {}", path, document.dump(-1, ' ', false, json::error_handler_t::replace), rule);
+    if (!meaning.empty()) text += fmt::format(" ({})", meaning);
+    if (schema.contains("default")) text += fmt::format("; for example {}", schema["default"].dump());
+    return text;
+  };
+  const std::string type = schema.value("type", "");
+  if (type == "object") {
+    if (!document.is_object()) return fault("must be an object {...}");
+    for (const json& name : schema.value("required", json::array()))
+      if (!document.contains(name.get<std::string>()))
+        return fmt::format("{}: the field \"{}\" is missing; add it (known fields: {})", path,
+                           name.get<std::string>(), field_names(schema));
+    for (const auto& [name, value] : document.items()) {
+      const json* child = schema.contains("properties") && schema["properties"].contains(name)
+                              ? &schema["properties"][name]
+                              : nullptr;
+      if (child == nullptr) {
+        if (schema.value("additionalProperties", json(true)) != json(false)) continue;
+        return fmt::format("{}.{}: there is no such field; remove it or use one of {}", path, name,
+                           field_names(schema));
+      }
+      if (std::string text = first_fault(*child, value, path + "." + name); !text.empty()) return text;
+    }
+    return "";
+  }
+  if (schema.contains("enum")) {
+    for (const json& word : schema["enum"])
+      if (word == document) return "";
+    return fault(allowed_values(schema));
+  }
+  if (type == "number" || type == "integer") {
+    if (!document.is_number() || (type == "integer" && !document.is_number_integer()))
+      return fault(allowed_values(schema));
+    const double value = document.get<double>();
+    const bool inside = !(schema.contains("minimum") && value < schema["minimum"].get<double>()) &&
+                        !(schema.contains("maximum") && value > schema["maximum"].get<double>()) &&
+                        !(schema.contains("exclusiveMinimum") && value <= schema["exclusiveMinimum"].get<double>()) &&
+                        !(schema.contains("exclusiveMaximum") && value >= schema["exclusiveMaximum"].get<double>());
+    return inside ? "" : fault(allowed_values(schema));
+  }
+  if (type == "string" && !document.is_string()) return fault(allowed_values(schema));
+  return "";
+}
+
+}  // namespace
+
+void require_valid(const json& schema, const json& document, const std::string& where) {
+  if (std::string text = first_fault(schema, document, where); !text.empty()) throw InputError(text);
+
+  valijson::Schema compiled;
+  valijson::SchemaParser parser;
+  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), compiled);
+  valijson::Validator validator;
+  valijson::ValidationResults results;
+  const valijson::adapters::NlohmannJsonAdapter target(document);
+  if (validator.validate(compiled, target, &results)) return;
+  valijson::ValidationResults::Error error;
+  results.popError(error);
+  throw InputError(fmt::format("{} {}: {}", where, fmt::join(error.context, ""), error.description));
+}
+
+const json* schema_at(const json& schema, const std::string& dotted_path) {
+  const json* node = &schema;
+  std::size_t begin = 0;
+  while (begin <= dotted_path.size()) {
+    const std::size_t end = std::min(dotted_path.find('.', begin), dotted_path.size());
+    const std::string name = dotted_path.substr(begin, end - begin);
+    if (!node->contains("properties") || !(*node)["properties"].contains(name)) return nullptr;
+    node = &(*node)["properties"][name];
+    begin = end + 1;
+  }
+  return node;
+}
+
+json with_defaults(const json& schema, json document) {
+  for (const auto& [name, child] : schema.at("properties").items()) {
+    if (child.value("type", "") == "object")
+      document[name] = with_defaults(child, document.contains(name) ? document[name] : json::object());
+    else if (!document.contains(name) && child.contains("default"))
+      document[name] = child["default"];
+  }
+  return document;
+}
+
+}  // namespace eerie
