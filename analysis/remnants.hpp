@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "analysis/shape.hpp"
+#include "solver/base/vec3.hpp"
+
+namespace eerie {
+
+/// A clump of fewer particles is debris: too coarse for a shape.
+inline constexpr std::size_t remnant_min_particles = 100;
+/// An extremely elongated remnant has b/a below this.
+inline constexpr double eer_max_b_over_a = 0.3;
+
+/// One contiguous clump of at least remnant_min_particles particles. Two clumps in orbit about
+/// each other are two remnants, each with its own shape and spin, in one bound group.
+struct Remnant {
+  int rank = 0;  ///< 1: the most massive
+  std::size_t particles = 0;
+  double mass = 0;  ///< kg
+  double mass_over_total = 0;
+  Shape shape;
+  std::optional<double> spin_period;  ///< s; nothing when it does not spin
+  bool eer = false;                   ///< b/a < eer_max_b_over_a
+  double target_fraction = 0;         ///< of its particles, those that came from the target
+  int bound_group = 0;                ///< 1: the most massive group of mutually bound clumps
+  double bound_mass_over_total = 0;   ///< of that group, debris included
+  Vec3 x, v;                          ///< centre of mass, m and m/s
+};
+
+}  // namespace eerie
