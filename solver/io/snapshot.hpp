@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -9,8 +10,12 @@
 
 namespace eerie {
 
+/// Raised whenever a file written before can no longer be read.
+inline constexpr std::int64_t snapshot_format_version = 1;
+
 /// One HDF5 file in SWIFT's layout (docs/formats.md): a snapshot, and, when `rates` and
-/// `restart` are there, a checkpoint that continues with the same bits.
+/// `restart` are there, a checkpoint that continues with the same bits. Particles are in memory
+/// order, and every double comes back as it was.
 struct Snapshot {
   Scene scene;
   State state;
@@ -19,11 +24,13 @@ struct Snapshot {
   std::optional<Restart> restart;
 };
 
-/// Installs the file atomically (temp, fsync, rename). Throws EnvironmentError with the reason.
+/// Installs the file atomically (temp, fsync, rename). Equal snapshots give equal bytes. Throws
+/// EnvironmentError with the reason (disk full, no permission).
 void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot);
 
-/// Reads and checks a file: types, shapes, checksums, finite numbers, the scene inside.
-/// Throws InputError naming file and fault; a torn or foreign file never passes.
+/// Reads and checks a file: types, shapes, checksums, finite numbers, ids, densities, the scene
+/// inside. Throws InputError naming file and fault: a torn, damaged or foreign file never passes.
+/// Throws EnvironmentError where the file is there but cannot be read.
 Snapshot read_snapshot(const std::filesystem::path& path);
 
 }  // namespace eerie

@@ -60,6 +60,10 @@ void visit_rates(R& rates, Visit&& visit) {
   visit("DensityRates", rates.drho_dt);
   visit("StressRates", rates.dS_dt);
 }
+template <class R, class Visit>
+void visit_restart(R& restart, Visit&& visit) {
+  visit("ListCoordinates", restart.list_x);
+}
 
 inline void resize(State& state, std::size_t n) {
   visit_state(state, [n](const char*, auto& array) { array.resize(n); });

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "solver/base/tensor.hpp"
+#include "solver/base/vec3.hpp"
+
+/// The little of HDF5's C interface that snapshots need, with handles that close themselves.
+/// Files are built and read in memory: the disk is touched by plain reads and writes only, whose
+/// errors have names.
+namespace eerie::h5 {
+
+/// An HDF5 call failed, or a file does not hold what was asked of it. Callers turn it into
+/// InputError or EnvironmentError.
+struct Failure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// `id` where it is valid; throws Failure "<doing>: <HDF5's innermost reason>" where it is not.
+hid_t checked(hid_t id, const std::string& doing);
+/// The same for calls that return a status.
+void require(herr_t status, const std::string& doing);
+
+/// Keeps HDF5 from printing its error stack in this thread, as long as it lives.
+class Silence {
+ public:
+  Silence() {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~Silence() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// Owner of one HDF5 identifier.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Handle(Handle&& o) noexcept : id_(std::exchange(o.id_, H5I_INVALID_HID)), close_(o.close_) {}
+  Handle& operator=(Handle&&) = delete;
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }
+  hid_t release() { return std::exchange(id_, H5I_INVALID_HID); }
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+/// How one element of an array lies in a file: `columns` numbers of one type.
+template <class T>
+struct Layout;
+template <>
+struct Layout<std::uint8_t> {
+  static hid_t type() { return H5T_NATIVE_UINT8; }
+  static constexpr hsize_t columns = 1;
+};
+template <>
+struct Layout<std::uint32_t> {
+  static hid_t type() { return H5T_NATIVE_UINT32; }
+  static constexpr hsize_t columns = 1;
+};
+template <>
+struct Layout<std::int64_t> {
+  static hid_t type() { return H5T_NATIVE_INT64; }
+  static constexpr hsize_t columns = 1;
+};
+template <>
+struct Layout<double> {
+  static hid_t type() { return H5T_NATIVE_DOUBLE; }
+  static constexpr hsize_t columns = 1;
+};
+template <>
+struct Layout<Vec3> : Layout<double> {
+  static constexpr hsize_t columns = 3;
+};
+template <>
+struct Layout<SymTensor> : Layout<double> {
+  static constexpr hsize_t columns = 6;  ///< xx, yy, zz, xy, xz, yz
+};
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(SymTensor) == 6 * sizeof(double));
+
+/// The bytes of a new file that `fill` was called on. Its metadata carry checksums (format of
+/// HDF5 1.10) and no time stamps: equal content gives equal bytes.
+std::string new_file(const std::function<void(hid_t file)>& fill);
+/// A file from its bytes. Throws Failure for bytes that are not a whole HDF5 file.
+Handle open_bytes(const std::string& bytes);
+
+Handle new_group(hid_t parent, const char* name);
+Handle open_group(hid_t parent, const char* name);
+bool has(hid_t parent, const char* name);
+
+/// Chunked, compressed (shuffle, gzip) and checksummed (fletcher32); shape (rows) or (rows,
+/// columns). Returns the open dataset, for attributes.
+Handle write_array(hid_t parent, const char* name, hid_t type, hsize_t rows, hsize_t columns,
+                   const void* data);
+template <class T>
+Handle write_array(hid_t parent, const char* name, std::span<const T> data) {
+  return write_array(parent, name, Layout<T>::type(), data.size(), Layout<T>::columns, data.data());
+}
+
+/// Number of rows of a dataset that has the given type and columns; Failure where it has not.
+hsize_t rows_of(hid_t parent, const char* name, hid_t type, hsize_t columns);
+/// Fills `data` with all rows; Failure where type or shape differ or a checksum is wrong.
+void read_array(hid_t parent, const char* name, hid_t type, hsize_t rows, hsize_t columns,
+                void* data);
+template <class T>
+void read_array(hid_t parent, const char* name, std::span<T> data) {
+  read_array(parent, name, Layout<T>::type(), data.size(), Layout<T>::columns, data.data());
+}
+
+/// Attributes of shape (values.size()): readers of SWIFT files want length 1, not scalars.
+void write_attribute(hid_t object, const char* name, std::span<const double> values);
+void write_attribute(hid_t object, const char* name, std::span<const std::int64_t> values);
+void write_attribute(hid_t object, const char* name, double value);
+void write_attribute(hid_t object, const char* name, std::int64_t value);
+/// A scalar string of fixed length: yt cannot read variable ones.
+void write_attribute(hid_t object, const char* name, const std::string& text);
+
+double read_double(hid_t object, const char* name);
+std::int64_t read_integer(hid_t object, const char* name);
+std::string read_text(hid_t object, const char* name);
+
+}  // namespace eerie::h5

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
+#include "solver/io/hdf5.hpp"
+#include "solver/io/snapshot.hpp"
+
+namespace eerie {
+
+namespace {
+
+using h5::Failure;
+
+bool finite(double x) { return std::isfinite(x); }
+bool finite(const Vec3& v) { return finite(v.x) && finite(v.y) && finite(v.z); }
+bool finite(const SymTensor& s) {
+  return finite(s.xx) && finite(s.yy) && finite(s.zz) && finite(s.xy) && finite(s.xz) &&
+         finite(s.yz);
+}
+bool finite(std::uint8_t) { return true; }
+bool finite(std::uint32_t) { return true; }
+
+/// Reads `n` rows and refuses NaN and infinity.
+template <class T>
+void read_field(hid_t group, const char* name, std::size_t n, std::vector<T>& array) {
+  array.resize(n);
+  h5::read_array(group, name, std::span(array));
+  for (std::size_t i = 0; i < n; ++i)
+    if (!finite(array[i])) throw Failure(fmt::format("{}[{}] is not finite", name, i));
+}
+
+void require_permutation(const std::vector<std::uint32_t>& id) {
+  std::vector<bool> seen(id.size(), false);
+  for (const std::uint32_t i : id) {
+    if (i >= id.size() || seen[i])
+      throw Failure(fmt::format("ParticleIDs is no permutation of 0..{}: {} is {}", id.size() - 1,
+                                i, i < id.size() ? "there twice" : "too large"));
+    seen[i] = true;
+  }
+}
+
+double positive(hid_t group, const char* name) {
+  const double value = h5::read_double(group, name);
+  if (!(value > 0) || !std::isfinite(value))
+    throw Failure(fmt::format("{} = {}: must be positive and finite", name, value));
+  return value;
+}
+
+State read_state(hid_t file) {
+  const h5::Handle group = h5::open_group(file, "State");
+  const std::int64_t version = h5::read_integer(group, "FormatVersion");
+  if (version != snapshot_format_version)
+    throw Failure(
+        fmt::format("format version {}, this program reads {}", version, snapshot_format_version));
+  State state;
+  state.time = h5::read_double(group, "Time");
+  state.step = h5::read_integer(group, "Step");
+  if (!std::isfinite(state.time) || state.step < 0)
+    throw Failure(
+        fmt::format("time {} and step {} are not those of a run", state.time, state.step));
+  state.mass = positive(group, "ParticleMass");
+  state.h = positive(group, "SmoothingLength");
+  const std::size_t n = h5::rows_of(group, "ParticleIDs", h5::Layout<std::uint32_t>::type(), 1);
+  if (n == 0) throw Failure("it has no particles");
+  visit_state(state, [&](const char* name, auto& array) { read_field(group, name, n, array); });
+  require_permutation(state.id);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!(state.rho[i] > 0)) throw Failure(fmt::format("Densities[{}] = {}", i, state.rho[i]));
+    if (state.body[i] > static_cast<std::uint8_t>(Body::impactor))
+      throw Failure(fmt::format("BodyIDs[{}] = {}: must be 0 or 1", i, state.body[i]));
+  }
+  return state;
+}
+
+Scene read_scene(hid_t file) {
+  const std::string text = h5::read_text(h5::open_group(file, "Parameters"), "eerie:scene");
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw Failure("its scene is not JSON");
+  return parse_scene(json);
+}
+
+Snapshot read_file_bytes(const std::string& bytes) {
+  const h5::Silence silence;
+  const h5::Handle file = h5::open_bytes(bytes);
+  Snapshot snapshot;
+  snapshot.scene = read_scene(file);
+  snapshot.state = read_state(file);
+  const std::size_t n = snapshot.state.size();
+  const auto from = [n](hid_t group) {
+    return [group, n](const char* name, auto& array) { read_field(group, name, n, array); };
+  };
+  read_field(h5::open_group(file, "PartType0"), "Pressures", n, snapshot.pressure);
+  if (h5::has(file, "Rates"))
+    visit_rates(snapshot.rates.emplace(), from(h5::open_group(file, "Rates")));
+  if (h5::has(file, "Restart"))
+    visit_restart(snapshot.restart.emplace(), from(h5::open_group(file, "Restart")));
+  return snapshot;
+}
+
+}  // namespace
+
+Snapshot read_snapshot(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored) && !ignored)
+    throw InputError(fmt::format("{}: there is no such snapshot", path.string()));
+  const std::string bytes = read_file(path);
+  try {
+    return read_file_bytes(bytes);
+  } catch (const Failure& failure) {
+    throw InputError(fmt::format("{} is not a usable snapshot: {}", path.string(), failure.what()));
+  } catch (const InputError& error) {  // the scene inside
+    throw InputError(fmt::format("{} is not a usable snapshot: {}", path.string(), error.what()));
+  }
+}
+
+}  // namespace eerie

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace eerie {
+
+/// Meaning and dimension (powers of kg, m, s) of a dataset, for its attributes.
+struct FieldUnit {
+  std::string_view name, description;
+  int mass, length, time;
+};
+
+/// One row for each dataset that a snapshot can hold; writing one that is not here is an error.
+inline constexpr std::array field_units = {
+    FieldUnit{"ParticleIDs", "0..N-1, fixed for the whole run", 0, 0, 0},
+    FieldUnit{"BodyIDs", "0: from the target, 1: from the impactor", 0, 0, 0},
+    FieldUnit{"MaterialIDs", "103: Tillotson basalt", 0, 0, 0},
+    FieldUnit{"Coordinates", "positions", 0, 1, 0},
+    FieldUnit{"Velocities", "velocities", 0, 1, -1},
+    FieldUnit{"Densities", "densities", 1, -3, 0},
+    FieldUnit{"DeviatoricStresses", "xx, yy, zz, xy, xz, yz", 1, -1, -2},
+    FieldUnit{"Pressures", "EOS pressure as in the momentum equation", 1, -1, -2},
+    FieldUnit{"Masses", "masses", 1, 0, 0},
+    FieldUnit{"SmoothingLengths", "h; the kernel reaches to 2h", 0, 1, 0},
+    FieldUnit{"InternalEnergies", "0: the cold material has no thermal energy", 0, 2, -2},
+    FieldUnit{"Accelerations", "of stress and viscosity, without gravity", 0, 1, -2},
+    FieldUnit{"DensityRates", "d rho / dt", 1, -3, -1},
+    FieldUnit{"StressRates", "d S / dt: xx, yy, zz, xy, xz, yz", 1, -1, -3},
+    FieldUnit{"ListCoordinates", "positions when the neighbour lists were built", 0, 1, 0},
+};
+
+}  // namespace eerie
