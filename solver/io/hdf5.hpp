@@ -29,10 +29,14 @@ hid_t checked(hid_t id, const std::string& doing);
 /// The same for calls that return a status.
 void require(herr_t status, const std::string& doing);
 
-/// Keeps HDF5 from printing its error stack in this thread, as long as it lives.
+/// Keeps HDF5 from printing its error stack in this thread, as long as it lives. Goes before any
+/// other use of HDF5.
 class Silence {
  public:
   Silence() {
+    // After a damaged file the library's clean-up at exit goes round in circles and says so on
+    // stderr; files in memory need none.
+    [[maybe_unused]] static const herr_t no_clean_up_at_exit = H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }

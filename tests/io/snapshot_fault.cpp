@@ -1,0 +1,132 @@
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
+#include "solver/base/random.hpp"
+#include "tests/io/snapshot_fixture.hpp"
+
+namespace eerie {
+namespace {
+
+using test::differences;
+using test::random_snapshot;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+void put(const std::filesystem::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+/// A sound file, and what reading a spoilt copy of it does.
+class SnapshotFile : public testing::Test {
+ protected:
+  SnapshotFile() {
+    write_snapshot(path_, snapshot_);
+    bytes_ = read_file(path_);
+  }
+
+  enum class Outcome { refused, same, wrong };
+  Outcome read_back(const std::string& bytes) {
+    put(path_, bytes);
+    try {
+      const Snapshot read = read_snapshot(path_);
+      return differences(read, snapshot_).empty() ? Outcome::same : Outcome::wrong;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("spoilt.hdf5 is not a usable snapshot: "));
+      return Outcome::refused;
+    }
+  }
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_ / "spoilt.hdf5";
+  Snapshot snapshot_ = random_snapshot(150);
+  std::string bytes_;
+};
+
+TEST_F(SnapshotFile, UnspoiltIsRead) { EXPECT_EQ(read_back(bytes_), Outcome::same); }
+
+TEST_F(SnapshotFile, TruncatedAnywhereIsRefused) {
+  Random random(1, 1);
+  std::vector<std::size_t> lengths = {0, 1, 7, 8, 9, 47, 48, 512, bytes_.size() - 1};
+  for (int i = 0; i < 400; ++i)
+    lengths.push_back(
+        static_cast<std::size_t>(random.uniform() * static_cast<double>(bytes_.size())));
+  for (const std::size_t length : lengths)
+    EXPECT_EQ(read_back(bytes_.substr(0, length)), Outcome::refused) << length;
+}
+
+TEST_F(SnapshotFile, FlippedBitIsRefusedOrChangesNothing) {
+  int refused = 0;
+  int tried = 0;
+  // A stride without a common factor with 8: every bit of a byte has its turn.
+  for (std::size_t bit = 0; bit < 8 * bytes_.size(); bit += 211, ++tried) {
+    std::string spoilt = bytes_;
+    spoilt[bit / 8] = static_cast<char>(spoilt[bit / 8] ^ (1 << (bit % 8)));
+    const Outcome outcome = read_back(spoilt);
+    ASSERT_NE(outcome, Outcome::wrong) << "bit " << bit;
+    refused += outcome == Outcome::refused;
+  }
+  // What only other readers use (links, unread copies) may be spoilt unnoticed; not the rest.
+  EXPECT_GT(refused, tried / 3);
+}
+
+TEST_F(SnapshotFile, ZeroedSectorIsRefusedOrChangesNothing) {
+  for (std::size_t begin = 0; begin < bytes_.size(); begin += 512) {
+    std::string spoilt = bytes_;
+    for (std::size_t i = begin; i < std::min(begin + 512, bytes_.size()); ++i) spoilt[i] = 0;
+    ASSERT_NE(read_back(spoilt), Outcome::wrong) << "sector at " << begin;
+  }
+}
+
+TEST_F(SnapshotFile, ForeignFilesAreRefused) {
+  EXPECT_EQ(read_back(""), Outcome::refused);
+  EXPECT_EQ(read_back("x,y,z\n1,2,3\n"), Outcome::refused);
+  EXPECT_EQ(read_back(std::string(100000, '\0')), Outcome::refused);
+  EXPECT_EQ(read_back(bytes_.substr(0, 8) + std::string(100000, 'x')), Outcome::refused);
+}
+
+TEST_F(SnapshotFile, RefusalPrintsNothing) {
+  testing::internal::CaptureStderr();
+  read_back(bytes_.substr(0, bytes_.size() / 2));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), IsEmpty());
+}
+
+/// A limit on file size stands in for a full disk: write() fails in the middle of the file.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
+
+TEST_F(SnapshotFile, FullDiskIsAnErrorOfTheEnvironmentAndKeepsTheOldFile) {
+  const Snapshot larger = random_snapshot(3000);
+  {
+    const FileSizeLimit limit(20000);
+    EXPECT_THROW(write_snapshot(path_, larger), EnvironmentError);
+  }
+  EXPECT_THAT(differences(read_snapshot(path_), snapshot_), IsEmpty());
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
+}
+
+TEST_F(SnapshotFile, MissingFolderIsAnErrorOfTheEnvironment) {
+  EXPECT_THROW(write_snapshot(folder_ / "no" / "such.hdf5", snapshot_), EnvironmentError);
+}
+
+}  // namespace
+}  // namespace eerie
