@@ -7,23 +7,17 @@
 #include "solver/base/stages.hpp"
 #include "solver/io/snapshot.hpp"
 #include "solver/scene/scene.hpp"
+#include "solver/step/totals.hpp"
 
 namespace eerie {
 
-/// How far a run is; handed out after every step.
+/// How far a run is; handed out after every cycle (a few steps).
 struct Progress {
   double time = 0, end_time = 0;  ///< simulated, s
   long step = 0;
   double dt = 0;                  ///< s
   double particle_steps = 0;      ///< since the start of the run, interruptions included
   double wall_s = 0;              ///< of this process
-};
-
-/// Totals of the whole system about its centre of mass, SI.
-struct Totals {
-  double mass = 0;
-  Vec3 momentum, angular_momentum;
-  double kinetic_energy = 0, potential_energy = 0;
 };
 
 enum class RunEnd { finished, stopped, step_limit };
@@ -41,17 +35,18 @@ struct RunSummary {
 
 /// What the caller wants of a run besides its end.
 struct RunOptions {
-  std::filesystem::path directory;  ///< checkpoint.hdf5 and snapshot_NNNN.hdf5 are installed here
+  std::filesystem::path directory;  ///< checkpoint, snapshots and final state are installed here
   int threads = 1;
-  long max_steps = 0;               ///< 0: until the end time
-  std::function<void(const Progress&)> on_progress;  ///< after every step; must be cheap
+  long max_steps = 0;  ///< of this process, rounded up to whole cycles; 0: until the end time
+  std::function<void(const Progress&)> on_progress;  ///< after every cycle of steps; must be cheap
   std::function<void(const Snapshot&)> on_history;   ///< every output.history_interval_s
-  std::function<bool()> stop;       ///< asked after every step; true: checkpoint and return
+  std::function<bool()> stop;       ///< asked after every cycle; true: checkpoint and return
+  std::function<void(const std::string&)> on_note;   ///< a sentence for the log
 };
 
 /// Makes the bodies of `scene` and lets them collide, or goes on from `directory`/checkpoint.hdf5
-/// where that holds the same scene (a torn or foreign checkpoint is set aside with a note in the
-/// log). The same scene gives the same bits for any number of threads and of interruptions.
+/// where that holds the same scene (a torn or foreign checkpoint is passed over with a note).
+/// snapshot_0000.hdf5 is the state at time 0; final.hdf5 the last one, itself a checkpoint. The same scene gives the same bits for any number of threads and of interruptions.
 /// Throws NumericalError (after writing last_good.hdf5 where there is one) and EnvironmentError.
 RunSummary run_impact(const Scene& scene, const RunOptions& options);
 

@@ -1,0 +1,134 @@
+#include "solver/initial/packing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "solver/base/tensor.hpp"
+
+namespace eerie {
+
+namespace {
+
+/// A uniformly distributed rotation: a random axis frame turned by a random angle (Rodrigues).
+Mat3 random_rotation(Random& random) {
+  const Vec3 z = random.direction();
+  const Vec3 other = std::abs(z.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  Vec3 x = cross(other, z);
+  x *= 1 / norm(x);
+  const Vec3 y = cross(z, x);
+  const double angle = random.uniform(0, 2 * pi), c = std::cos(angle), s = std::sin(angle);
+  const Vec3 u = c * x + s * y, w = c * y - s * x;
+  return {{{u.x, w.x, z.x}, {u.y, w.y, z.y}, {u.z, w.z, z.z}}};
+}
+
+/// Points of unit number density in a periodic cube: one at random in each unit cell, then
+/// pushed apart until even.
+class PeriodicGlass {
+ public:
+  PeriodicGlass(int side, Random& random) : side_(side), cells_(std::max(3, static_cast<int>(side / reach))) {
+    for (int i = 0; i < side; ++i)
+      for (int j = 0; j < side; ++j)
+        for (int k = 0; k < side; ++k)
+          points_.push_back({i + random.uniform(), j + random.uniform(), k + random.uniform()});
+    for (int n = 0; n < sweeps; ++n) relax();
+  }
+  const std::vector<Vec3>& points() const { return points_; }
+
+ private:
+  static constexpr double reach = 1.6;    ///< of the repulsion, in mean spacings
+  static constexpr double mobility = 0.15;
+  static constexpr int sweeps = 150;
+
+  std::size_t cell(double coordinate) const {
+    return static_cast<std::size_t>(coordinate / side_ * cells_) % static_cast<std::size_t>(cells_);
+  }
+  double nearest_image(double d) const { return d - side_ * std::round(d / side_); }
+
+  void relax() {
+    const auto c = static_cast<std::size_t>(cells_);
+    std::vector<std::vector<std::uint32_t>> content(c * c * c);
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      const Vec3& p = points_[i];
+      content[(cell(p.x) * c + cell(p.y)) * c + cell(p.z)].push_back(i);
+    }
+    std::vector<Vec3> moved(points_.size());
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Vec3& p = points_[i];
+      Vec3 push;
+      for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t b = 0; b < 3; ++b)
+          for (std::size_t d = 0; d < 3; ++d)
+            for (std::uint32_t j : content[((cell(p.x) + c + a - 1) % c * c + (cell(p.y) + c + b - 1) % c) * c +
+                                           (cell(p.z) + c + d - 1) % c])
+              if (j != i) push += repulsion(p - points_[j]);
+      moved[i] = p + mobility * push;
+      for (int k = 0; k < 3; ++k) moved[i][k] -= side_ * std::floor(moved[i][k] / side_);
+    }
+    points_.swap(moved);
+  }
+
+  Vec3 repulsion(Vec3 d) const {
+    for (int k = 0; k < 3; ++k) d[k] = nearest_image(d[k]);
+    const double r = norm(d);
+    if (r >= reach || r == 0) return {};
+    const double s = 1 - r / reach;
+    return (s * s / r) * d;
+  }
+
+  double side_;
+  int cells_;
+  std::vector<Vec3> points_;
+};
+
+/// Of the points of a periodic pattern (period `side`, unit density), the `n` nearest to
+/// `centre`, relative to it.
+std::vector<Vec3> nearest(const std::vector<Vec3>& pattern, double side, const Vec3& centre,
+                          std::size_t n) {
+  const double radius = std::cbrt(3 * static_cast<double>(n) / (4 * pi)) + 2;
+  const int copies = static_cast<int>(std::ceil(radius / side)) + 1;
+  std::vector<Vec3> found;
+  for (int i = -copies; i <= copies; ++i)
+    for (int j = -copies; j <= copies; ++j)
+      for (int k = -copies; k <= copies; ++k)
+        for (const Vec3& p : pattern) {
+          const Vec3 d = p + Vec3{i * side, j * side, k * side} - centre;
+          if (norm2(d) < radius * radius) found.push_back(d);
+        }
+  // stable_sort: points at equal distance stay in pattern order, so the choice is reproducible.
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Vec3& a, const Vec3& b) { return norm2(a) < norm2(b); });
+  found.resize(n);
+  return found;
+}
+
+}  // namespace
+
+std::vector<Vec3> packed_sphere(const std::string& packing, std::size_t n, double radius,
+                                Random& random) {
+  std::vector<Vec3> pattern;
+  double side = 0;
+  if (packing == "glass") {
+    // A cube that holds the sphere, but at most 20 spacings wide: larger spheres tile it.
+    const int cells = std::clamp(static_cast<int>(std::ceil(std::cbrt(2.6 * static_cast<double>(n)))), 8, 20);
+    pattern = PeriodicGlass(cells, random).points();
+    side = cells;
+  } else if (packing == "lattice") {
+    side = std::cbrt(4.0);  // face-centred cubic: four points in a cube
+    pattern = {{0, 0, 0}, {0, side / 2, side / 2}, {side / 2, 0, side / 2}, {side / 2, side / 2, 0}};
+  } else {
+    throw InputError("scene.numerics.packing: unknown name \"" + packing + "\"");
+  }
+  const Vec3 centre{random.uniform(0, side), random.uniform(0, side), random.uniform(0, side)};
+  const Mat3 turn = random_rotation(random);
+  std::vector<Vec3> points = nearest(pattern, side, centre, n);
+  const double spacing = radius * std::cbrt(4 * pi / (3 * static_cast<double>(n)));
+  Vec3 mean;
+  for (Vec3& p : points) mean += (p = spacing * (turn * p));
+  mean *= 1 / static_cast<double>(n);
+  for (Vec3& p : points) p -= mean;
+  return points;
+}
+
+}  // namespace eerie

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+
+#include "solver/base/tensor.hpp"
+
+namespace eerie {
+
+/// Below this determinant of C the particle has too few neighbours around it for a linear
+/// correction (a plane or a line of them, or none) and the identity is used.
+inline constexpr double smallest_correctable_determinant = 0.01;
+
+/// L = C^-1, which makes the SPH gradient exact for linear fields (Bonet & Lok 1999).
+inline SymTensor correction_matrix(const SymTensor& C) {
+  const double det = determinant(C);
+  return det > smallest_correctable_determinant ? inverse(C, det) : SymTensor{1, 1, 1, 0, 0, 0};
+}
+
+/// Hooke's law with the Jaumann rate (Libersky & Petschek 1991, eq. 2):
+/// dS/dt = 2 G (e - tr(e)/3 1) + R S - S R, with strain rate e and spin R of the velocity
+/// gradient g[a][b] = dv_a/dx_b.
+inline SymTensor stress_rate(const SymTensor& S, const Mat3& g, double shear_modulus) {
+  const double third = (g[0][0] + g[1][1] + g[2][2]) / 3, twoG = 2 * shear_modulus;
+  // Spin components R_ab = (g_ab - g_ba) / 2.
+  const double rxy = (g[0][1] - g[1][0]) / 2, rxz = (g[0][2] - g[2][0]) / 2,
+               ryz = (g[1][2] - g[2][1]) / 2;
+  return {twoG * (g[0][0] - third) + 2 * (rxy * S.xy + rxz * S.xz),
+          twoG * (g[1][1] - third) + 2 * (ryz * S.yz - rxy * S.xy),
+          twoG * (g[2][2] - third) - 2 * (rxz * S.xz + ryz * S.yz),
+          twoG * (g[0][1] + g[1][0]) / 2 + rxy * (S.yy - S.xx) + rxz * S.yz + ryz * S.xz,
+          twoG * (g[0][2] + g[2][0]) / 2 + rxz * (S.zz - S.xx) + rxy * S.yz - ryz * S.xy,
+          twoG * (g[1][2] + g[2][1]) / 2 + ryz * (S.zz - S.yy) - rxy * S.xz - rxz * S.xy};
+}
+
+}  // namespace eerie

@@ -1,0 +1,189 @@
+#include "solver/step/run.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include "solver/base/error.hpp"
+#include "solver/initial/bodies.hpp"
+#include "solver/step/solver.hpp"
+
+namespace eerie {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* checkpoint_file = "checkpoint.hdf5";
+constexpr const char* final_file = "final.hdf5";
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Outputs fall due by the number of whole intervals that have passed, a function of simulated
+/// time alone, so an interrupted run writes the same ones.
+class Schedule {
+ public:
+  Schedule(double interval, double now) : interval_(interval), done_(passed(now)) {}
+  bool due(double now) {
+    const long n = passed(now);
+    return n > done_ ? (done_ = n, true) : false;
+  }
+  long count() const { return done_; }
+
+ private:
+  long passed(double now) const {
+    return interval_ > 0 ? static_cast<long>(std::floor(now / interval_ * (1 + 1e-12))) : 0;
+  }
+  double interval_;
+  long done_;
+};
+
+class Run {
+ public:
+  Run(const Scene& scene, const RunOptions& options)
+      : scene_(scene), options_(options), solver_(begin()),
+        snapshots_(scene.output.snapshot_interval_s, solver_.state().time),
+        histories_(scene.output.history_interval_s, solver_.state().time) {}
+
+  RunSummary go() {
+    const long first_step = solver_.state().step;
+    RunEnd end = RunEnd::finished;
+    while (solver_.state().time < scene_.end.time_s * (1 - 1e-12)) {
+      if (options_.max_steps > 0 && solver_.state().step - first_step >= options_.max_steps) {
+        end = RunEnd::step_limit;
+        break;
+      }
+      if (options_.stop && options_.stop()) {
+        end = RunEnd::stopped;
+        break;
+      }
+      advance();
+      write_outputs();
+      if (options_.on_progress) options_.on_progress(progress());
+    }
+    {
+      const StageTimer timer(solver_.stages(), Stage::output);
+      write_snapshot(options_.directory / (end == RunEnd::finished ? final_file : checkpoint_file), checkpoint());
+    }
+    RunSummary summary;
+    summary.end = end;
+    summary.last = snapshot();
+    summary.first_totals = first_totals_;
+    summary.last_totals = totals(scene_, solver_.state());
+    summary.progress = progress();
+    summary.stages = solver_.stages();
+    summary.steps_here = static_cast<double>(solver_.state().step - first_step);
+    summary.list_builds = solver_.list_builds();
+    summary.threads = options_.threads;
+    return summary;
+  }
+
+ private:
+  fs::path numbered(long n) const {
+    return options_.directory / fmt::format("snapshot_{:04d}.hdf5", n);
+  }
+  void note(const std::string& text) const {
+    if (options_.on_note) options_.on_note(text);
+  }
+
+  Solver begin() {
+    if (std::optional<Snapshot> saved = resumable()) {
+      first_totals_ = initial_totals();
+      note(fmt::format("going on from t = {:.0f} s, step {}", saved->state.time, saved->state.step));
+      return Solver(scene_, std::move(saved->state), std::move(*saved->rates), *saved->restart);
+    }
+    Solver solver(scene_, make_impact(scene_));
+    first_totals_ = totals(scene_, solver.state());
+    write_snapshot(numbered(0), {scene_, solver.state(), solver.pressure(), {}, {}});
+    return solver;
+  }
+
+  /// The newest state of this very scene that can be gone on from, where there is a whole one.
+  std::optional<Snapshot> resumable() const {
+    for (const char* name : {final_file, checkpoint_file}) {
+      const fs::path path = options_.directory / name;
+      if (!fs::exists(path)) continue;
+      try {
+        Snapshot saved = read_snapshot(path);
+        if (scene_hash(saved.scene) != scene_hash(scene_))
+          note(fmt::format("{} belongs to another scene: passed over", path.string()));
+        else if (!saved.rates || !saved.restart)
+          note(fmt::format("{} is no checkpoint: passed over", path.string()));
+        else
+          return saved;
+      } catch (const InputError& error) {
+        note(fmt::format("{}: passed over", error.what()));
+      }
+    }
+    return {};
+  }
+
+  /// Of time 0, from the first snapshot or, where that is lost, from making the bodies again.
+  Totals initial_totals() const {
+    try {
+      return totals(scene_, read_snapshot(numbered(0)).state);
+    } catch (const std::exception& error) {
+      note(fmt::format("{}; making the initial bodies again", error.what()));
+      return totals(scene_, Solver(scene_, make_impact(scene_)).state());
+    }
+  }
+
+  void advance() {
+    // The state before the cycle is what a failure can be examined from.
+    try {
+      solver_.cycle(scene_.end.time_s);
+    } catch (const NumericalError&) {
+      note("numerical failure; the newest snapshot or checkpoint is the last good state");
+      throw;
+    }
+  }
+
+  void write_outputs() {
+    const StageTimer timer(solver_.stages(), Stage::output);
+    const double time = solver_.state().time;
+    const bool ended = time >= scene_.end.time_s * (1 - 1e-12);
+    if (snapshots_.due(time) && !ended) write_snapshot(numbered(snapshots_.count()), snapshot());
+    if (histories_.due(time) && options_.on_history) options_.on_history(snapshot());
+    if (seconds_since(last_checkpoint_) >= scene_.output.checkpoint_interval_s) {
+      write_snapshot(options_.directory / checkpoint_file, checkpoint());
+      last_checkpoint_ = Clock::now();
+    }
+  }
+
+  Snapshot snapshot() const { return {scene_, solver_.state(), solver_.pressure(), {}, {}}; }
+  Snapshot checkpoint() const {
+    return {scene_, solver_.state(), solver_.pressure(), solver_.rates(), solver_.restart()};
+  }
+  Progress progress() const {
+    const State& s = solver_.state();
+    return {s.time, scene_.end.time_s, s.step, solver_.dt(),
+            static_cast<double>(s.step) * static_cast<double>(s.size()), seconds_since(start_)};
+  }
+
+  const Scene& scene_;
+  const RunOptions& options_;
+  Totals first_totals_;
+  Clock::time_point start_ = Clock::now(), last_checkpoint_ = start_;
+  Solver solver_;
+  Schedule snapshots_, histories_;
+};
+
+}  // namespace
+
+RunSummary run_impact(const Scene& scene, const RunOptions& options) {
+  omp_set_num_threads(options.threads);
+  std::error_code error;
+  fs::create_directories(options.directory, error);
+  if (error)
+    throw EnvironmentError(fmt::format("cannot make the folder {}: {}", options.directory.string(),
+                                       error.message()));
+  return Run(scene, options).go();
+}
+
+}  // namespace eerie

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "solver/particles/state.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace eerie {
+
+/// Totals of the whole system, SI, about the origin of coordinates (the centre of mass at the
+/// start). Sums run in order of ids, so they do not depend on the memory order.
+struct Totals {
+  double mass = 0;
+  Vec3 momentum, angular_momentum;
+  double kinetic_energy = 0, potential_energy = 0;
+};
+
+/// `state` must be in memory order (as a Solver or a snapshot holds it).
+Totals totals(const Scene& scene, const State& state);
+
+}  // namespace eerie

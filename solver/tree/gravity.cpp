@@ -1,0 +1,173 @@
+#include "solver/tree/gravity.hpp"
+
+#include <cmath>
+
+#include "solver/base/constants.hpp"
+#include "solver/base/simd.hpp"
+
+namespace eerie {
+
+namespace {
+
+using P = Pack<float>;
+constexpr int packs = static_cast<int>(bucket_size) / lanes<float>;
+
+/// Targets of one bucket relative to its centre, and what they have gathered, in units of
+/// particle mass and with G = 1.
+struct Targets {
+  P x[packs] = {}, y[packs] = {}, z[packs] = {};
+  P ax[packs] = {}, ay[packs] = {}, az[packs] = {}, phi[packs] = {};
+
+  void add(int k, P dx, P dy, P dz, P pull, P potential) {
+    ax[k] -= dx * pull, ay[k] -= dy * pull, az[k] -= dz * pull;
+    phi[k] -= potential;
+  }
+};
+
+/// A point source far enough for Newton's law.
+void add_point(Targets& t, const Vec3& source) {
+  const auto sx = static_cast<float>(source.x), sy = static_cast<float>(source.y),
+             sz = static_cast<float>(source.z);
+  for (int k = 0; k < packs; ++k) {
+    const P dx = t.x[k] - sx, dy = t.y[k] - sy, dz = t.z[k] - sz;
+    const P s = inverse_sqrt(P(dx * dx + dy * dy + dz * dz));
+    t.add(k, dx, dy, dz, s * s * s, s);
+  }
+}
+
+/// A particle that may be inside the softening: mass of the cubic spline within r.
+void add_softened(Targets& t, const Vec3& source, float h) {
+  const auto sx = static_cast<float>(source.x), sy = static_cast<float>(source.y),
+             sz = static_cast<float>(source.z);
+  const float ih = 1 / h;
+  for (int k = 0; k < packs; ++k) {
+    const P dx = t.x[k] - sx, dy = t.y[k] - sy, dz = t.z[k] - sz;
+    const P r2 = dx * dx + dy * dy + dz * dz + 1e-12f * h * h;
+    const P s = inverse_sqrt(r2), q = r2 * s * ih, q2 = q * q, q3 = q2 * q;
+    const P newton = s * s * s;
+    const P shell = newton * (q3 * (8.f / 3 + q * (-3.f + q * (1.2f - q * (1.f / 6)))) - 1.f / 15);
+    const P core = ih * ih * ih * (4.f / 3 + q2 * (-1.2f + 0.5f * q));
+    const P shell_phi =
+        ih * (1.6f + q2 * (-4.f / 3 + q * (1.f + q * (-0.3f + q * (1.f / 30))))) - s * (1.f / 15);
+    const P core_phi = ih * (1.4f + q2 * (-2.f / 3 + q2 * (0.3f - 0.1f * q)));
+    const auto far = q >= 2, inner = q < 1;
+    t.add(k, dx, dy, dz, far ? newton : inner ? core : shell,
+          far ? s : inner ? core_phi : shell_phi);
+  }
+}
+
+/// A distant node: monopole and quadrupole about its centre of mass.
+void add_node(Targets& t, const Vec3& centre, float count, const SymTensor& Q) {
+  const auto sx = static_cast<float>(centre.x), sy = static_cast<float>(centre.y),
+             sz = static_cast<float>(centre.z);
+  const auto xx = static_cast<float>(Q.xx), yy = static_cast<float>(Q.yy),
+             zz = static_cast<float>(Q.zz), xy = static_cast<float>(Q.xy),
+             xz = static_cast<float>(Q.xz), yz = static_cast<float>(Q.yz);
+  for (int k = 0; k < packs; ++k) {
+    const P dx = t.x[k] - sx, dy = t.y[k] - sy, dz = t.z[k] - sz;
+    const P s = inverse_sqrt(P(dx * dx + dy * dy + dz * dz)), s2 = s * s;
+    const P qx = xx * dx + xy * dy + xz * dz, qy = xy * dx + yy * dy + yz * dz,
+            qz = xz * dx + yz * dy + zz * dz;
+    const P rqr = (dx * qx + dy * qy + dz * qz) * s2;
+    const P s3 = s2 * s, s5 = s3 * s2;
+    const P pull = count * s3 + 2.5f * rqr * s5;
+    t.add(k, dx, dy, dz, pull, count * s + 0.5f * rqr * s3);
+    t.ax[k] += qx * s5, t.ay[k] += qy * s5, t.az[k] += qz * s5;
+  }
+}
+
+}  // namespace
+
+void Gravity::fit_moments(const KdTree& tree, const std::vector<Vec3>& x) {
+  moments_.resize(tree.nodes.size());
+  for (std::size_t n = tree.nodes.size(); n-- > 0;) {
+    const KdTree::Node& node = tree.nodes[n];
+    Moments m{{}, static_cast<double>(node.size()), 0, {}};
+    const auto add_quadrupole = [&](const Vec3& d, double count) {
+      const double r2 = norm2(d);
+      m.quadrupole += SymTensor{3 * d.x * d.x - r2, 3 * d.y * d.y - r2, 3 * d.z * d.z - r2,
+                                3 * d.x * d.y, 3 * d.x * d.z, 3 * d.y * d.z} * count;
+    };
+    if (node.is_leaf()) {
+      for (std::uint32_t i = node.begin; i < node.end; ++i) m.centre += x[i];
+      m.centre *= 1 / m.count;
+      for (std::uint32_t i = node.begin; i < node.end; ++i) add_quadrupole(x[i] - m.centre, 1);
+    } else {
+      const Moments &l = moments_[node.left], &r = moments_[node.right];
+      m.centre = (l.centre * l.count + r.centre * r.count) / m.count;
+      for (const Moments* child : {&l, &r}) {
+        m.quadrupole += child->quadrupole;
+        add_quadrupole(child->centre - m.centre, child->count);
+      }
+    }
+    Vec3 corner;
+    for (int k = 0; k < 3; ++k)
+      corner[k] = std::max(m.centre[k] - node.box.lo[k], node.box.hi[k] - m.centre[k]);
+    m.size = norm(corner);
+    moments_[n] = m;
+  }
+}
+
+template <class Law>
+void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Law&& store) {
+  fit_moments(tree, x);
+  const double reach = 2 * p_.h;
+  const auto h = static_cast<float>(p_.h);
+#pragma omp parallel
+  {
+    std::vector<std::uint32_t> stack;
+#pragma omp for schedule(dynamic, 2)
+    for (std::size_t b = 0; b < bucket_count(x.size()); ++b) {
+      const std::size_t first = b * bucket_size, last = std::min(first + bucket_size, x.size());
+      Box box;
+      for (std::size_t i = first; i < last; ++i) box.include(x[i]);
+      const Vec3 origin = box.centre();
+      Targets t;
+      for (std::size_t i = first; i < last; ++i) {
+        const int k = static_cast<int>(i - first) / lanes<float>, l = static_cast<int>(i - first) % lanes<float>;
+        const Vec3 d = x[i] - origin;
+        t.x[k][l] = static_cast<float>(d.x), t.y[k][l] = static_cast<float>(d.y),
+        t.z[k][l] = static_cast<float>(d.z);
+      }
+      stack.assign(1, 0);
+      while (!stack.empty()) {
+        const std::uint32_t n = stack.back();
+        stack.pop_back();
+        const KdTree::Node& node = tree.nodes[n];
+        const Moments& m = moments_[n];
+        const double d2 = distance2(box, m.centre), theta_d2 = p_.opening_angle * p_.opening_angle * d2;
+        if (m.size * m.size < theta_d2 && d2 > (m.size + reach) * (m.size + reach)) {
+          add_node(t, m.centre - origin, static_cast<float>(m.count), m.quadrupole);
+        } else if (!node.is_leaf()) {
+          stack.push_back(node.right);
+          stack.push_back(node.left);
+        } else if (distance2(box, node.box) > reach * reach) {
+          for (std::uint32_t j = node.begin; j < node.end; ++j) add_point(t, x[j] - origin);
+        } else {
+          for (std::uint32_t j = node.begin; j < node.end; ++j) add_softened(t, x[j] - origin, h);
+        }
+      }
+      for (std::size_t i = first; i < last; ++i) {
+        const int k = static_cast<int>(i - first) / lanes<float>, l = static_cast<int>(i - first) % lanes<float>;
+        store(i, Vec3{t.ax[k][l], t.ay[k][l], t.az[k][l]}, static_cast<double>(t.phi[k][l]));
+      }
+    }
+  }
+}
+
+void Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& x, std::vector<Vec3>& g) {
+  g.resize(x.size());
+  const double scale = newton_G * p_.particle_mass;
+  walk(tree, x, [&](std::size_t i, const Vec3& a, double) { g[i] = scale * a; });
+}
+
+double Gravity::potential_energy(const KdTree& tree, const std::vector<Vec3>& x) {
+  std::vector<double> phi(x.size());
+  // A particle does not feel itself: take its softened self-potential, 1.4/h, out again.
+  walk(tree, x, [&](std::size_t i, const Vec3&, double p) { phi[i] = p + 1.4 / p_.h; });
+  double sum = 0;
+  for (double p : phi) sum += p;
+  return 0.5 * newton_G * p_.particle_mass * p_.particle_mass * sum;
+}
+
+}  // namespace eerie

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "solver/base/tensor.hpp"
+#include "solver/tree/kd_tree.hpp"
+
+namespace eerie {
+
+/// Self-gravity of equal-mass particles by a Barnes-Hut walk over the kd tree: monopole and
+/// quadrupole of a node of size b at distance d where b < theta d, else its particles one by
+/// one, softened with the potential of the cubic spline inside 2h (Hernquist & Katz 1989,
+/// appendix A). One bucket of targets walks once; sums over sources run in tree order.
+class Gravity {
+ public:
+  struct Parameters {
+    double particle_mass;  ///< kg
+    double h;              ///< smoothing length, m; softening ends at 2h
+    double opening_angle;  ///< theta; 0 makes a direct sum
+  };
+  explicit Gravity(const Parameters& p) : p_(p) {}
+
+  /// Accelerations (m/s^2) at `x`, memory order; `tree` must be fitted to `x`.
+  void accelerations(const KdTree& tree, const std::vector<Vec3>& x, std::vector<Vec3>& g);
+
+  /// Total potential energy, J; the same walk.
+  double potential_energy(const KdTree& tree, const std::vector<Vec3>& x);
+
+ private:
+  struct Moments {
+    Vec3 centre;          ///< of mass, m
+    double count;         ///< mass in particle masses
+    double size;          ///< largest distance of a corner of the box from the centre, m
+    SymTensor quadrupole; ///< sum of 3 x x - r^2 1, m^2
+  };
+  void fit_moments(const KdTree& tree, const std::vector<Vec3>& x);
+  template <class Law>
+  void walk(const KdTree& tree, const std::vector<Vec3>& x, Law&& store);
+
+  Parameters p_;
+  std::vector<Moments> moments_;
+};
+
+}  // namespace eerie

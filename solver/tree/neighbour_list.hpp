@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solver/tree/kd_tree.hpp"
+
+namespace eerie {
+
+/// Neighbours of one bucket: the union of all particles near it (its own first), and for each
+/// of its particles the list of positions in that union. Lists are padded to a multiple of
+/// `padding` with the union's length, the place of a dummy row that contributes nothing.
+struct BucketList {
+  std::vector<std::uint32_t> rows;   ///< particles, by memory index
+  std::vector<std::uint16_t> index;  ///< all lists one after another
+  std::array<std::uint32_t, bucket_size + 1> begin{};  ///< list k: index[begin[k]..begin[k+1])
+};
+
+/// Neighbour lists of all buckets with a search radius beyond the support (Verlet skin): they
+/// hold every pair closer than the support until two particles have come closer by the skin.
+/// A pure function of memory order and positions, for any number of threads.
+class NeighbourList {
+ public:
+  static constexpr std::size_t padding = 16;
+
+  /// `support`: kernel support radius, m; `skin`: extra radius, m.
+  NeighbourList(double support, double skin) : support_(support), skin_(skin) {}
+
+  /// Builds all lists; `tree` must be fitted to `x`. Throws NumericalError when a bucket's
+  /// surroundings exceed 65,534 particles (a numerical collapse).
+  void build(const KdTree& tree, const std::vector<Vec3>& x);
+
+  /// Whether some pair may have come within the support unnoticed.
+  bool used_up(const std::vector<Vec3>& x) const;
+
+  const BucketList& operator[](std::size_t bucket) const { return buckets_[bucket]; }
+  std::size_t buckets() const { return buckets_.size(); }
+  bool empty() const { return buckets_.empty(); }
+  const std::vector<Vec3>& built_at() const { return built_at_; }
+
+ private:
+  double support_, skin_;
+  std::vector<BucketList> buckets_;
+  std::vector<Vec3> built_at_;
+};
+
+}  // namespace eerie
