@@ -6,6 +6,7 @@
 
 #include "analysis/shape.hpp"
 #include "solver/base/vec3.hpp"
+#include "solver/particles/state.hpp"
 
 namespace eerie {
 
@@ -29,5 +30,16 @@ struct Remnant {
   double bound_mass_over_total = 0;   ///< of that group, debris included
   Vec3 x, v;                          ///< centre of mass, m and m/s
 };
+
+/// All clumps of a state and what gravity makes of them.
+struct Remnants {
+  std::vector<Remnant> remnants;     ///< from the most massive on
+  std::vector<double> group_masses;  ///< of the bound groups, kg, from the most massive on
+  double debris_bound_mass = 0;      ///< in clumps below remnant_min_particles, in some group, kg
+};
+
+/// Friends-of-friends, then gravitational binding, then shape and spin of every remnant. Sums run
+/// in the order of particle ids: the result has the same bits for any memory order.
+Remnants find_remnants(const State& state);
 
 }  // namespace eerie

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "analysis/remnants.hpp"
+
+namespace eerie {
+
+/// Why the remnants will still change by meeting each other, with the numbers of the most massive
+/// such pair; empty when none will. A pair will meet when both are in one bound group, or when
+/// their orbit is bound or closing and its pericentre is below the sum of their half longest axes.
+/// Shapes that still change within one remnant are not seen here: that takes two snapshots.
+std::string unsettled_reason(std::span<const Remnant> remnants);
+
+}  // namespace eerie
