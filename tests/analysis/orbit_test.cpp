@@ -59,7 +59,9 @@ TEST(Orbit, TimeToPericentreAgreesWithIntegration) {
     const Orbit orbit = orbit_of(r, v);
     EXPECT_TRUE(orbit.approaching);
     // The sign of a parabola's energy is rounding.
-    if (speed != 1.0) EXPECT_EQ(orbit.bound(), speed < 1) << speed;
+    if (speed != 1.0) {
+      EXPECT_EQ(orbit.bound(), speed < 1) << speed;
+    }
     const double wanted = time_by_integration(r, v, 0.01);
     EXPECT_NEAR(orbit.time_to_pericentre, wanted, 1e-3 * wanted) << speed;
   }
