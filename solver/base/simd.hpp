@@ -56,14 +56,21 @@ inline Pack<double> positive_part(Pack<double> x) {
 }
 #endif
 
-/// Bit l is set where p[l] < limit.
-inline std::uint32_t less_mask(Pack<float> p, float limit) {
-#if defined(__AVX512F__)
-  return _mm512_cmp_ps_mask(p, _mm512_set1_ps(limit), _CMP_LT_OQ);
+/// Writes first + l to `out` for every lane l with p[l] < limit, in order; returns the end.
+/// `out` needs room for a whole pack.
+inline std::uint16_t* append_less(Pack<float> p, float limit, std::uint16_t first, std::uint16_t* out) {
+#if defined(__AVX512VBMI2__) && defined(__AVX512VL__)
+  const __mmask16 near = _mm512_cmp_ps_mask(p, _mm512_set1_ps(limit), _CMP_LT_OQ);
+  const __m256i ramp = _mm256_setr_epi16(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  const __m256i ids = _mm256_add_epi16(ramp, _mm256_set1_epi16(static_cast<short>(first)));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_maskz_compress_epi16(near, ids));
+  return out + __builtin_popcount(near);
 #else
-  std::uint32_t mask = 0;
-  for (int l = 0; l < lanes<float>; ++l) mask |= static_cast<std::uint32_t>(p[l] < limit) << l;
-  return mask;
+  for (int l = 0; l < lanes<float>; ++l) {
+    *out = static_cast<std::uint16_t>(first + l);
+    out += p[l] < limit;
+  }
+  return out;
 #endif
 }
 
@@ -89,18 +96,41 @@ inline Pack<double> inverse_sqrt(Pack<double> x) {
 }
 #endif
 
-/// Loads numbers 4b..4b+3 of `lanes` rows: out[c][l] = rows[index[l] * Stride + 4 b + c].
+/// 1/x, to the precision of the type.
+template <class P>
+inline P inverse(P x) {
+  return 1 / x;
+}
+#if defined(__AVX512F__)
+template <>
+inline Pack<float> inverse(Pack<float> x) {
+  const Pack<float> y = _mm512_rcp14_ps(x);
+  return y * (2.0f - x * y);
+}
+#endif
+
+/// Four columns of a group of rows, one pack each.
+template <class T>
+struct Columns {
+  Pack<T> c0, c1, c2, c3;
+};
+
+/// Loads numbers 4b..4b+3 of `lanes` rows: lane l of c_k is rows[index[l] * Stride + 4 b + k].
 template <int Stride, class T>
-inline void load_transposed(const T* rows, const std::uint16_t* index, int b, Pack<T> out[4]) {
-  for (int l = 0; l < lanes<T>; ++l)
-    for (int c = 0; c < 4; ++c) out[c][l] = rows[index[l] * Stride + 4 * b + c];
+inline Columns<T> load_transposed(const T* rows, const std::uint16_t* index, int b) {
+  Columns<T> out;
+  for (int l = 0; l < lanes<T>; ++l) {
+    const T* row = rows + index[l] * Stride + 4 * b;
+    out.c0[l] = row[0], out.c1[l] = row[1], out.c2[l] = row[2], out.c3[l] = row[3];
+  }
+  return out;
 }
 #if defined(__AVX512F__)
 template <int Stride>
-inline void load_transposed(const float* rows, const std::uint16_t* index, int b,
-                            Pack<float> out[4]) {
-  const auto quad = [&](int l) { return _mm_load_ps(rows + index[l] * Stride + 4 * b); };
-  const auto gather = [&](int k) {
+[[gnu::always_inline]] inline Columns<float> load_transposed(const float* rows,
+                                                             const std::uint16_t* index, int b) {
+  const auto quad = [&](int l) __attribute__((always_inline)) { return _mm_load_ps(rows + index[l] * Stride + 4 * b); };
+  const auto gather = [&](int k) __attribute__((always_inline)) {
     __m512 r = _mm512_castps128_ps512(quad(k));
     r = _mm512_insertf32x4(r, quad(k + 4), 1);
     r = _mm512_insertf32x4(r, quad(k + 8), 2);
@@ -111,16 +141,16 @@ inline void load_transposed(const float* rows, const std::uint16_t* index, int b
   const __m512d hi01 = _mm512_castps_pd(_mm512_unpackhi_ps(r0, r1));
   const __m512d lo23 = _mm512_castps_pd(_mm512_unpacklo_ps(r2, r3));
   const __m512d hi23 = _mm512_castps_pd(_mm512_unpackhi_ps(r2, r3));
-  out[0] = _mm512_castpd_ps(_mm512_unpacklo_pd(lo01, lo23));
-  out[1] = _mm512_castpd_ps(_mm512_unpackhi_pd(lo01, lo23));
-  out[2] = _mm512_castpd_ps(_mm512_unpacklo_pd(hi01, hi23));
-  out[3] = _mm512_castpd_ps(_mm512_unpackhi_pd(hi01, hi23));
+  return {_mm512_castpd_ps(_mm512_unpacklo_pd(lo01, lo23)),
+          _mm512_castpd_ps(_mm512_unpackhi_pd(lo01, lo23)),
+          _mm512_castpd_ps(_mm512_unpacklo_pd(hi01, hi23)),
+          _mm512_castpd_ps(_mm512_unpackhi_pd(hi01, hi23))};
 }
 template <int Stride>
-inline void load_transposed(const double* rows, const std::uint16_t* index, int b,
-                            Pack<double> out[4]) {
-  const auto quad = [&](int l) { return _mm256_load_pd(rows + index[l] * Stride + 4 * b); };
-  const auto gather = [&](int k) {
+[[gnu::always_inline]] inline Columns<double> load_transposed(const double* rows,
+                                                              const std::uint16_t* index, int b) {
+  const auto quad = [&](int l) __attribute__((always_inline)) { return _mm256_load_pd(rows + index[l] * Stride + 4 * b); };
+  const auto gather = [&](int k) __attribute__((always_inline)) {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(quad(k)), quad(k + 4), 1);
   };
   const __m512d r0 = gather(0), r1 = gather(1), r2 = gather(2), r3 = gather(3);
@@ -128,30 +158,46 @@ inline void load_transposed(const double* rows, const std::uint16_t* index, int 
   const __m512d xz23 = _mm512_unpacklo_pd(r2, r3), yw23 = _mm512_unpackhi_pd(r2, r3);
   const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
   const __m512i high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
-  out[0] = _mm512_permutex2var_pd(xz01, low, xz23);
-  out[1] = _mm512_permutex2var_pd(yw01, low, yw23);
-  out[2] = _mm512_permutex2var_pd(xz01, high, xz23);
-  out[3] = _mm512_permutex2var_pd(yw01, high, yw23);
+  return {_mm512_permutex2var_pd(xz01, low, xz23), _mm512_permutex2var_pd(yw01, low, yw23),
+          _mm512_permutex2var_pd(xz01, high, xz23), _mm512_permutex2var_pd(yw01, high, yw23)};
 }
 #endif
 
-/// Sum over the lanes, always in the same order (halves, quarters, ...).
-template <class T>
-inline T lane_sum(Pack<T> p) {
-  alignas(vector_bytes) T a[lanes<T>];
-  std::memcpy(a, &p, sizeof a);
-  for (int n = lanes<T> / 2; n > 0; n /= 2)
-    for (int l = 0; l < n; ++l) a[l] += a[l + n];
-  return a[0];
+/// out[k] = sum over the lanes of in[k] for N <= 16 packs, always in the same order; `out` has
+/// room for 16.
+template <int N, class T>
+inline void lane_sums(const Pack<T> (&in)[N], T* out) {
+  for (int k = 0; k < N; ++k) {
+    alignas(vector_bytes) T a[lanes<T>];
+    std::memcpy(a, &in[k], sizeof a);
+    for (int n = lanes<T> / 2; n > 0; n /= 2)
+      for (int l = 0; l < n; ++l) a[l] += a[l + n];
+    out[k] = a[0];
+  }
 }
 #if defined(__AVX512F__)
-template <>
-inline float lane_sum(Pack<float> p) {
-  return _mm512_reduce_add_ps(p);
+/// All sixteen at once: a transpose that adds where it would only move.
+template <int N>
+[[gnu::always_inline]] inline void lane_sums(const Pack<float> (&in)[N], float* out) {
+  const auto of = [&](int k) __attribute__((always_inline)) -> __m512 {
+    return k < N ? in[k] : Pack<float>{};
+  };
+  const auto pair = [](__m512 a, __m512 b) __attribute__((always_inline)) {
+    return _mm512_castps_pd(_mm512_add_ps(_mm512_unpacklo_ps(a, b), _mm512_unpackhi_ps(a, b)));
+  };
+  const auto four = [&](int k) __attribute__((always_inline)) {
+    const __m512d ab = pair(of(k), of(k + 1)), cd = pair(of(k + 2), of(k + 3));
+    return _mm512_add_ps(_mm512_castpd_ps(_mm512_unpacklo_pd(ab, cd)),
+                         _mm512_castpd_ps(_mm512_unpackhi_pd(ab, cd)));
+  };
+  const auto quarters = [](__m512 a, __m512 b) __attribute__((always_inline)) {
+    return _mm512_add_ps(_mm512_shuffle_f32x4(a, b, 0x88), _mm512_shuffle_f32x4(a, b, 0xdd));
+  };
+  _mm512_storeu_ps(out, quarters(quarters(four(0), four(4)), quarters(four(8), four(12))));
 }
-template <>
-inline double lane_sum(Pack<double> p) {
-  return _mm512_reduce_add_pd(p);
+template <int N>
+[[gnu::always_inline]] inline void lane_sums(const Pack<double> (&in)[N], double* out) {
+  for (int k = 0; k < N; ++k) out[k] = _mm512_reduce_add_pd(in[k]);
 }
 #endif
 

@@ -10,11 +10,11 @@ namespace eerie {
 /// The named stages of a step, in the order in which they run. One table: timing, printing
 /// and result files walk it.
 enum class Stage : std::size_t {
-  integrate, reorder, neighbours, material, gradient, momentum, gravity, output, count
+  integrate, reorder, neighbours, material, pairs, gravity, output, count
 };
 inline constexpr std::size_t stage_count = static_cast<std::size_t>(Stage::count);
 inline constexpr std::array<std::string_view, stage_count> stage_names = {
-    "integrate", "reorder", "neighbours", "material", "gradient", "momentum", "gravity", "output"};
+    "integrate", "reorder", "neighbours", "material", "pairs", "gravity", "output"};
 
 /// Wall seconds spent in each stage.
 struct StageTimes {

@@ -40,46 +40,49 @@ class PeriodicGlass {
   static constexpr double mobility = 0.15;
   static constexpr int sweeps = 150;
 
-  std::size_t cell(double coordinate) const {
-    return static_cast<std::size_t>(coordinate / side_ * cells_) % static_cast<std::size_t>(cells_);
-  }
-  double nearest_image(double d) const { return d - side_ * std::round(d / side_); }
-
+  /// One sweep of repulsion. Cells are at least `reach` wide, so 27 of them hold all partners;
+  /// partners from across the border are shifted by a whole period.
   void relax() {
-    const auto c = static_cast<std::size_t>(cells_);
-    std::vector<std::vector<std::uint32_t>> content(c * c * c);
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      const Vec3& p = points_[i];
-      content[(cell(p.x) * c + cell(p.y)) * c + cell(p.z)].push_back(i);
-    }
-    std::vector<Vec3> moved(points_.size());
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Vec3& p = points_[i];
-      Vec3 push;
-      for (std::size_t a = 0; a < 3; ++a)
-        for (std::size_t b = 0; b < 3; ++b)
-          for (std::size_t d = 0; d < 3; ++d)
-            for (std::uint32_t j : content[((cell(p.x) + c + a - 1) % c * c + (cell(p.y) + c + b - 1) % c) * c +
-                                           (cell(p.z) + c + d - 1) % c])
-              if (j != i) push += repulsion(p - points_[j]);
-      moved[i] = p + mobility * push;
-      for (int k = 0; k < 3; ++k) moved[i][k] -= side_ * std::floor(moved[i][k] / side_);
-    }
-    points_.swap(moved);
+    const int c = cells_;
+    std::vector<std::vector<Vec3>> content(static_cast<std::size_t>(c * c * c));
+    const auto place = [&](int i, int j, int k) { return static_cast<std::size_t>((i * c + j) * c + k); };
+    for (const Vec3& p : points_) content[place(cell(p.x), cell(p.y), cell(p.z))].push_back(p);
+    points_.clear();
+    for (int i = 0; i < c; ++i)
+      for (int j = 0; j < c; ++j)
+        for (int k = 0; k < c; ++k) {
+          partners_.clear();
+          for (int a = i - 1; a <= i + 1; ++a)
+            for (int b = j - 1; b <= j + 1; ++b)
+              for (int d = k - 1; d <= k + 1; ++d) {
+                const Vec3 shift{period(a), period(b), period(d)};
+                for (const Vec3& p : content[place(wrap(a), wrap(b), wrap(d))]) partners_.push_back(p + shift);
+              }
+          for (const Vec3& p : content[place(i, j, k)]) points_.push_back(moved(p));
+        }
   }
 
-  Vec3 repulsion(Vec3 d) const {
-    for (int k = 0; k < 3; ++k) d[k] = nearest_image(d[k]);
-    const double r = norm(d);
-    if (r >= reach || r == 0) return {};
-    const double s = 1 - r / reach;
-    return (s * s / r) * d;
+  Vec3 moved(const Vec3& p) const {
+    Vec3 push;
+    for (const Vec3& partner : partners_) {
+      const Vec3 d = p - partner;
+      const double r2 = norm2(d);
+      if (r2 >= reach * reach || r2 == 0) continue;
+      const double r = std::sqrt(r2), s = 1 - r / reach;
+      push += (s * s / r) * d;
+    }
+    Vec3 q = p + mobility * push;
+    for (int k = 0; k < 3; ++k) q[k] -= side_ * std::floor(q[k] / side_);
+    return q;
   }
+
+  int cell(double coordinate) const { return std::min(static_cast<int>(coordinate / side_ * cells_), cells_ - 1); }
+  int wrap(int i) const { return (i + cells_) % cells_; }
+  double period(int i) const { return i < 0 ? -side_ : i >= cells_ ? side_ : 0; }
 
   double side_;
   int cells_;
-  std::vector<Vec3> points_;
+  std::vector<Vec3> points_, partners_;
 };
 
 /// Of the points of a periodic pattern (period `side`, unit density), the `n` nearest to

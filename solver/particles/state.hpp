@@ -35,6 +35,7 @@ struct Rates {
   std::vector<Vec3> dv_dt;
   std::vector<double> drho_dt;
   std::vector<SymTensor> dS_dt;
+  std::vector<SymTensor> correction;  ///< L, inverse moment matrix of the corrected gradient
 };
 
 /// What a run needs, beyond State and Rates, to go on with the same bits: neighbour lists are
@@ -59,6 +60,7 @@ void visit_rates(R& rates, Visit&& visit) {
   visit("Accelerations", rates.dv_dt);
   visit("DensityRates", rates.drho_dt);
   visit("StressRates", rates.dS_dt);
+  visit("CorrectionMatrices", rates.correction);
 }
 template <class R, class Visit>
 void visit_restart(R& restart, Visit&& visit) {

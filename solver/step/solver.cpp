@@ -59,6 +59,7 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
     reorder();
     tree_.fit(state_.x);
     lists_.build(tree_, state_.x);
+    evaluate_rates();  // for the correction matrices
     evaluate_rates();
   } else {
     tree_.fit(restart.list_x);
@@ -90,8 +91,7 @@ void Solver::step() {
 
 void Solver::evaluate_rates() {
   predict_material();
-  gradient_pass();
-  momentum_pass();
+  sum_over_neighbours();
 }
 
 /// Half a kick with the old rates, then the drift. Density and stress move half a step too; the
@@ -150,6 +150,11 @@ void Solver::predict_material() {
             S_predicted_[i] = rheology.yielded(state_.S[i] + half * rates_.dS_dt[i], p);
             const Vec3 v = state_.v[i] + half * rates_.dv_dt[i];
             sums.rows.set(i, state_.x[i], v, state_.mass / rho, rho, point.c);
+            // The dual of the corrected gradient, T = -p 1 + S L; L is one step old (it follows
+            // the arrangement of the neighbours, which hardly moves in a step).
+            Mat3 T = to_matrix(S_predicted_[i]) * to_matrix(rates_.correction[i]);
+            for (int k = 0; k < 3; ++k) T[k][k] -= p;
+            sums.rows.set_flux(i, T);
           }
         }
       },
@@ -157,34 +162,20 @@ void Solver::predict_material() {
   check(offender, "negative-density");
 }
 
-/// Corrected velocity gradient; rates of density and stress; momentum flux T = -p 1 + S L.
-void Solver::gradient_pass() {
-  const StageTimer timer(stages_, Stage::gradient);
+/// All neighbour sums in one visit; from them the corrected velocity gradient and the rates of
+/// density, stress and velocity.
+void Solver::sum_over_neighbours() {
+  const StageTimer timer(stages_, Stage::pairs);
   const double half = 0.5 * dt_;
   std::visit(
-      [&](auto& sums) {
-        sums.gradients(lists_, state_.size(), [&](std::size_t i, const GradientSums& s) {
-          const double divergence = s.G[0][0] + s.G[1][1] + s.G[2][2];
-          const Mat3 L = to_matrix(correction_matrix(s.C));
-          const SymTensor& S = S_predicted_[i];
-          const double rho = state_.rho[i] + half * rates_.drho_dt[i];
-          rates_.drho_dt[i] = -rho * divergence;
-          rates_.dS_dt[i] = stress_rate(S, s.G * L, material_.shear_modulus);
-          Mat3 T = to_matrix(S) * L;
-          for (int k = 0; k < 3; ++k) T[k][k] -= pressure_[i];
-          sums.rows.set_flux(i, T);
-        });
-      },
-      sums_);
-}
-
-void Solver::momentum_pass() {
-  const StageTimer timer(stages_, Stage::momentum);
-  const double mass = state_.mass;
-  std::visit(
       [&](const auto& sums) {
-        sums.forces(lists_, state_.size(), [&](std::size_t i, const Vec3& force, double V) {
-          rates_.dv_dt[i] = (V / mass) * force;
+        sums.sweep(lists_, state_.size(), [&](std::size_t i, const NeighbourSums& s) {
+          const double rho = state_.rho[i] + half * rates_.drho_dt[i];
+          const SymTensor L = correction_matrix(s.C);
+          rates_.correction[i] = L;
+          rates_.drho_dt[i] = -rho * (s.G[0][0] + s.G[1][1] + s.G[2][2]);
+          rates_.dS_dt[i] = stress_rate(S_predicted_[i], s.G * to_matrix(L), material_.shear_modulus);
+          rates_.dv_dt[i] = s.force / rho;
         });
       },
       sums_);

@@ -55,8 +55,7 @@ class Solver {
   void update_lists();
   void reorder();
   void predict_material();
-  void gradient_pass();
-  void momentum_pass();
+  void sum_over_neighbours();
   void final_kick();
   void kick_gravity(double dt);
   void evaluate_gravity();

@@ -18,24 +18,31 @@ struct Targets {
   P x[packs] = {}, y[packs] = {}, z[packs] = {};
   P ax[packs] = {}, ay[packs] = {}, az[packs] = {}, phi[packs] = {};
 
-  void add(int k, P dx, P dy, P dz, P pull, P potential) {
-    ax[k] -= dx * pull, ay[k] -= dy * pull, az[k] -= dz * pull;
-    phi[k] -= potential;
+  void pull(int k, P dx, P dy, P dz, P strength) {
+    ax[k] -= dx * strength, ay[k] -= dy * strength, az[k] -= dz * strength;
   }
 };
 
+/// What a walk gathers: a field at every target, of one kind or the other.
+enum class Field { acceleration, potential };
+
 /// A point source far enough for Newton's law.
+template <Field field>
 void add_point(Targets& t, const Vec3& source) {
   const auto sx = static_cast<float>(source.x), sy = static_cast<float>(source.y),
              sz = static_cast<float>(source.z);
   for (int k = 0; k < packs; ++k) {
     const P dx = t.x[k] - sx, dy = t.y[k] - sy, dz = t.z[k] - sz;
     const P s = inverse_sqrt(P(dx * dx + dy * dy + dz * dz));
-    t.add(k, dx, dy, dz, s * s * s, s);
+    if constexpr (field == Field::acceleration)
+      t.pull(k, dx, dy, dz, s * s * s);
+    else
+      t.phi[k] -= s;
   }
 }
 
 /// A particle that may be inside the softening: mass of the cubic spline within r.
+template <Field field>
 void add_softened(Targets& t, const Vec3& source, float h) {
   const auto sx = static_cast<float>(source.x), sy = static_cast<float>(source.y),
              sz = static_cast<float>(source.z);
@@ -44,19 +51,23 @@ void add_softened(Targets& t, const Vec3& source, float h) {
     const P dx = t.x[k] - sx, dy = t.y[k] - sy, dz = t.z[k] - sz;
     const P r2 = dx * dx + dy * dy + dz * dz + 1e-12f * h * h;
     const P s = inverse_sqrt(r2), q = r2 * s * ih, q2 = q * q, q3 = q2 * q;
-    const P newton = s * s * s;
-    const P shell = newton * (q3 * (8.f / 3 + q * (-3.f + q * (1.2f - q * (1.f / 6)))) - 1.f / 15);
-    const P core = ih * ih * ih * (4.f / 3 + q2 * (-1.2f + 0.5f * q));
-    const P shell_phi =
-        ih * (1.6f + q2 * (-4.f / 3 + q * (1.f + q * (-0.3f + q * (1.f / 30))))) - s * (1.f / 15);
-    const P core_phi = ih * (1.4f + q2 * (-2.f / 3 + q2 * (0.3f - 0.1f * q)));
     const auto far = q >= 2, inner = q < 1;
-    t.add(k, dx, dy, dz, far ? newton : inner ? core : shell,
-          far ? s : inner ? core_phi : shell_phi);
+    if constexpr (field == Field::acceleration) {
+      const P newton = s * s * s;
+      const P shell = newton * (q3 * (8.f / 3 + q * (-3.f + q * (1.2f - q * (1.f / 6)))) - 1.f / 15);
+      const P core = ih * ih * ih * (4.f / 3 + q2 * (-1.2f + 0.5f * q));
+      t.pull(k, dx, dy, dz, far ? newton : inner ? core : shell);
+    } else {
+      const P shell =
+          ih * (1.6f + q2 * (-4.f / 3 + q * (1.f + q * (-0.3f + q * (1.f / 30))))) - s * (1.f / 15);
+      const P core = ih * (1.4f + q2 * (-2.f / 3 + q2 * (0.3f - 0.1f * q)));
+      t.phi[k] -= far ? s : inner ? core : shell;
+    }
   }
 }
 
 /// A distant node: monopole and quadrupole about its centre of mass.
+template <Field field>
 void add_node(Targets& t, const Vec3& centre, float count, const SymTensor& Q) {
   const auto sx = static_cast<float>(centre.x), sy = static_cast<float>(centre.y),
              sz = static_cast<float>(centre.z);
@@ -70,9 +81,12 @@ void add_node(Targets& t, const Vec3& centre, float count, const SymTensor& Q) {
             qz = xz * dx + yz * dy + zz * dz;
     const P rqr = (dx * qx + dy * qy + dz * qz) * s2;
     const P s3 = s2 * s, s5 = s3 * s2;
-    const P pull = count * s3 + 2.5f * rqr * s5;
-    t.add(k, dx, dy, dz, pull, count * s + 0.5f * rqr * s3);
-    t.ax[k] += qx * s5, t.ay[k] += qy * s5, t.az[k] += qz * s5;
+    if constexpr (field == Field::acceleration) {
+      t.pull(k, dx, dy, dz, count * s3 + 2.5f * rqr * s5);
+      t.ax[k] += qx * s5, t.ay[k] += qy * s5, t.az[k] += qz * s5;
+    } else {
+      t.phi[k] -= count * s + 0.5f * rqr * s3;
+    }
   }
 }
 
@@ -108,9 +122,10 @@ void Gravity::fit_moments(const KdTree& tree, const std::vector<Vec3>& x) {
   }
 }
 
-template <class Law>
-void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Law&& store) {
+template <bool potential, class Store>
+void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Store&& store) {
   fit_moments(tree, x);
+  constexpr Field field = potential ? Field::potential : Field::acceleration;
   const double reach = 2 * p_.h;
   const auto h = static_cast<float>(p_.h);
 #pragma omp parallel
@@ -137,14 +152,14 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Law&& store) 
         const Moments& m = moments_[n];
         const double d2 = distance2(box, m.centre), theta_d2 = p_.opening_angle * p_.opening_angle * d2;
         if (m.size * m.size < theta_d2 && d2 > (m.size + reach) * (m.size + reach)) {
-          add_node(t, m.centre - origin, static_cast<float>(m.count), m.quadrupole);
+          add_node<field>(t, m.centre - origin, static_cast<float>(m.count), m.quadrupole);
         } else if (!node.is_leaf()) {
           stack.push_back(node.right);
           stack.push_back(node.left);
         } else if (distance2(box, node.box) > reach * reach) {
-          for (std::uint32_t j = node.begin; j < node.end; ++j) add_point(t, x[j] - origin);
+          for (std::uint32_t j = node.begin; j < node.end; ++j) add_point<field>(t, x[j] - origin);
         } else {
-          for (std::uint32_t j = node.begin; j < node.end; ++j) add_softened(t, x[j] - origin, h);
+          for (std::uint32_t j = node.begin; j < node.end; ++j) add_softened<field>(t, x[j] - origin, h);
         }
       }
       for (std::size_t i = first; i < last; ++i) {
@@ -158,13 +173,13 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Law&& store) 
 void Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& x, std::vector<Vec3>& g) {
   g.resize(x.size());
   const double scale = newton_G * p_.particle_mass;
-  walk(tree, x, [&](std::size_t i, const Vec3& a, double) { g[i] = scale * a; });
+  walk<false>(tree, x, [&](std::size_t i, const Vec3& a, double) { g[i] = scale * a; });
 }
 
 double Gravity::potential_energy(const KdTree& tree, const std::vector<Vec3>& x) {
   std::vector<double> phi(x.size());
   // A particle does not feel itself: take its softened self-potential, 1.4/h, out again.
-  walk(tree, x, [&](std::size_t i, const Vec3&, double p) { phi[i] = p + 1.4 / p_.h; });
+  walk<true>(tree, x, [&](std::size_t i, const Vec3&, double p) { phi[i] = p + 1.4 / p_.h; });
   double sum = 0;
   for (double p : phi) sum += p;
   return 0.5 * newton_G * p_.particle_mass * p_.particle_mass * sum;

@@ -34,8 +34,8 @@ class Gravity {
     SymTensor quadrupole; ///< sum of 3 x x - r^2 1, m^2
   };
   void fit_moments(const KdTree& tree, const std::vector<Vec3>& x);
-  template <class Law>
-  void walk(const KdTree& tree, const std::vector<Vec3>& x, Law&& store);
+  template <bool potential, class Store>
+  void walk(const KdTree& tree, const std::vector<Vec3>& x, Store&& store);
 
   Parameters p_;
   std::vector<Moments> moments_;

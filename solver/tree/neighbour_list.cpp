@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <cmath>
 
 #include "solver/base/error.hpp"
@@ -29,6 +28,7 @@ struct Builder {
   double radius;
   Local local;
   std::vector<std::uint32_t> stack;
+  std::vector<std::uint16_t> found;
 
   /// Ranges of particles that `box` may reach, own bucket excluded, in tree order.
   void collect(const Box& box, std::uint32_t own, BucketList& list) {
@@ -79,20 +79,21 @@ struct Builder {
     // Rounding of float positions must not lose a pair: widen the radius by a part in 1e5.
     const auto r2 = static_cast<float>(radius * radius * (1 + 2e-5));
     const float xk = local.x[k], yk = local.y[k], zk = local.z[k];
-    const std::size_t base = list.index.size();
+    found.resize(local.x.size() + lanes<float>);
+    std::uint16_t* end = found.data();
     for (std::size_t l = 0; l < local.x.size(); l += lanes<float>) {
       P dx, dy, dz;
       std::memcpy(&dx, &local.x[l], sizeof dx);
       std::memcpy(&dy, &local.y[l], sizeof dy);
       std::memcpy(&dz, &local.z[l], sizeof dz);
       dx -= xk, dy -= yk, dz -= zk;
-      for (std::uint32_t near = less_mask(dx * dx + dy * dy + dz * dz, r2); near != 0; near &= near - 1) {
-        const std::size_t j = l + static_cast<std::size_t>(std::countr_zero(near));
-        if (j != k) list.index.push_back(static_cast<std::uint16_t>(j));
-      }
+      P distance2 = dx * dx + dy * dy + dz * dz;
+      if (l == k / lanes<float> * lanes<float>) distance2[k - l] = 2 * r2;  // not itself
+      end = append_less(distance2, r2, static_cast<std::uint16_t>(l), end);
     }
-    while ((list.index.size() - base) % NeighbourList::padding != 0)
-      list.index.push_back(static_cast<std::uint16_t>(list.rows.size()));
+    while (static_cast<std::size_t>(end - found.data()) % NeighbourList::padding != 0)
+      *end++ = static_cast<std::uint16_t>(list.rows.size());
+    list.index.insert(list.index.end(), found.data(), end);
   }
 };
 
@@ -104,7 +105,7 @@ void NeighbourList::build(const KdTree& tree, const std::vector<Vec3>& x) {
   std::string failure;
 #pragma omp parallel
   {
-    Builder builder{tree, x, support_ + skin_, {}, {}};
+    Builder builder{tree, x, support_ + skin_, {}, {}, {}};
 #pragma omp for schedule(dynamic, 4)
     for (std::size_t b = 0; b < buckets_.size(); ++b) {
       try {
