@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace SQLite {
+class Database;
+}
+
+namespace eerie::db {
+
+/// One step of the schema. Steps are only ever appended: a database of any older version walks
+/// the remaining ones in order.
+struct Migration {
+  int version;
+  const char* sql;
+};
+
+std::span<const Migration> migrations();
+int latest_version();
+
+/// Throws Error for a file of another program and for a schema newer than this program's.
+void require_ours(SQLite::Database& database, const std::string& path);
+
+/// Throws Error where the schema is older than this program's (readers do not migrate).
+void require_current(SQLite::Database& database, const std::string& path);
+
+/// Brings the schema from whatever version to the newest, all or nothing.
+void migrate(SQLite::Database& database);
+
+}  // namespace eerie::db

@@ -1,0 +1,172 @@
+#include "db/query.hpp"
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+
+#include "db/bind.hpp"
+
+namespace eerie::db {
+namespace {
+
+std::optional<double> number(const SQLite::Column& column) {
+  return column.isNull() ? std::nullopt : std::optional(column.getDouble());
+}
+
+/// One condition per set field; each names its own parameter.
+std::string conditions(const ResultFilter& f) {
+  std::string text;
+  if (f.sweep) text += " AND job IN (SELECT job_id FROM sweep_jobs WHERE sweep_id = :sweep)";
+  if (f.q) text += " AND q = :q";
+  if (f.phi_d_deg) text += " AND phi_d_deg = :phi_d";
+  if (f.v_imp_cm_per_s) text += " AND v_imp_cm_per_s BETWEEN :v_lo AND :v_hi";
+  if (f.theta_imp_deg) text += " AND theta_imp_deg BETWEEN :theta_lo AND :theta_hi";
+  if (f.outcome_class) text += " AND class = :class";
+  if (f.eer_only) text += " AND n_eer > 0";
+  return text;
+}
+
+void bind_conditions(SQLite::Statement& select, const ResultFilter& f) {
+  if (f.sweep) select.bind(":sweep", *f.sweep);
+  if (f.q) select.bind(":q", *f.q);
+  if (f.phi_d_deg) select.bind(":phi_d", *f.phi_d_deg);
+  if (f.v_imp_cm_per_s) {
+    select.bind(":v_lo", f.v_imp_cm_per_s->lo);
+    select.bind(":v_hi", f.v_imp_cm_per_s->hi);
+  }
+  if (f.theta_imp_deg) {
+    select.bind(":theta_lo", f.theta_imp_deg->lo);
+    select.bind(":theta_hi", f.theta_imp_deg->hi);
+  }
+  if (f.outcome_class) select.bind(":class", *f.outcome_class);
+}
+
+ResultRow result_row(const SQLite::Statement& row) {
+  const auto column = [&](const char* name) { return row.getColumn(name); };
+  ResultRow r;
+  r.job = column("job").getInt64();
+  r.hash = column("hash").getString();
+  r.q = column("q").getDouble();
+  r.phi_d_deg = column("phi_d_deg").getDouble();
+  r.v_imp_cm_per_s = column("v_imp_cm_per_s").getDouble();
+  r.theta_imp_deg = column("theta_imp_deg").getDouble();
+  r.v_over_v_esc = column("v_over_v_esc").getDouble();
+  r.particles_per_target = column("particles_per_target").getInt64();
+  r.seed = column("seed").getInt64();
+  r.end_time_s = column("end_time_s").getDouble();
+  r.finished = column("finished").getString();
+  Result& x = r.result;
+  x.outcome_class = column("class").getString();
+  x.m_lr_over_m_total = column("m_lr_over_m_total").getDouble();
+  x.m_slr_over_m_total = column("m_slr_over_m_total").getDouble();
+  x.b_over_a = number(column("b_over_a"));
+  x.c_over_a = number(column("c_over_a"));
+  x.period_h = number(column("period_h"));
+  x.eer = column("eer").getInt() != 0;
+  x.n_eer = column("n_eer").getInt();
+  x.n_remnants = column("n_remnants").getInt();
+  x.settled = column("settled").getInt() != 0;
+  x.unsettled_reason = column("unsettled_reason").getString();
+  x.dL_over_L = number(column("dL_over_L"));
+  x.steps = column("steps").getInt64();
+  x.particle_steps = column("particle_steps").getDouble();
+  x.wall_s = column("wall_s").getDouble();
+  x.threads = column("threads").getInt();
+  x.solver_version = column("solver_version").getString();
+  x.host = column("host").getString();
+  return r;
+}
+
+}  // namespace
+
+std::vector<ResultRow> results(const Connection& connection, const ResultFilter& filter) {
+  std::vector<ResultRow> rows;
+  connection.read([&](SQLite::Database& sql) {
+    SQLite::Statement select(
+        sql, "SELECT * FROM results WHERE 1" + conditions(filter) +
+                 " ORDER BY q, phi_d_deg, v_imp_cm_per_s, theta_imp_deg, seed, job");
+    bind_conditions(select, filter);
+    while (select.executeStep()) rows.push_back(result_row(select));
+  });
+  return rows;
+}
+
+std::vector<SweepStatus> sweep_status(const Connection& connection) {
+  std::vector<SweepStatus> rows;
+  connection.read([&](SQLite::Database& sql) {
+    SQLite::Statement select(sql, R"(
+        SELECT s.id, s.name, s.created, j.state, count(*),
+               sum(CASE WHEN j.state IN ('pending', 'running') THEN j.expected_particle_steps ELSE 0 END)
+        FROM sweeps s JOIN sweep_jobs sj ON sj.sweep_id = s.id JOIN jobs j ON j.id = sj.job_id
+        GROUP BY s.id, j.state ORDER BY s.id)");
+    while (select.executeStep()) {
+      const std::int64_t id = select.getColumn(0).getInt64();
+      if (rows.empty() || rows.back().id != id)
+        rows.push_back(
+            {id, select.getColumn(1).getString(), select.getColumn(2).getString(), {}, 0});
+      rows.back().jobs[enumerator<JobState>(job_state_names, select.getColumn(3).getString())] =
+          select.getColumn(4).getInt64();
+      rows.back().particle_steps_left += select.getColumn(5).getDouble();
+    }
+  });
+  return rows;
+}
+
+std::vector<FailureGroup> failures(const Connection& connection,
+                                   std::optional<std::int64_t> sweep) {
+  // The last attempt of a failed job holds its cause. Bare columns beside max() come from the
+  // row that has the maximum (SQLite documents this).
+  std::string text = R"(
+      WITH last AS (
+        SELECT j.hash AS hash, a.failure_kind AS kind, a.message AS message, max(a.id)
+        FROM jobs j JOIN attempts a ON a.job_id = j.id
+        WHERE j.state = 'failed')";
+  if (sweep) text += " AND j.id IN (SELECT job_id FROM sweep_jobs WHERE sweep_id = :sweep)";
+  text += R"( GROUP BY j.id)
+      SELECT coalesce(kind, 'unknown'), count(*), min(hash), message FROM last
+      GROUP BY 1 ORDER BY 2 DESC)";
+  std::vector<FailureGroup> rows;
+  connection.read([&](SQLite::Database& sql) {
+    SQLite::Statement select(sql, text);
+    if (sweep) select.bind(":sweep", *sweep);
+    while (select.executeStep())
+      rows.push_back({select.getColumn(0).getString(), select.getColumn(1).getInt64(),
+                      select.getColumn(2).getString(), select.getColumn(3).getString()});
+  });
+  return rows;
+}
+
+Speed speed(const Connection& connection) {
+  Speed measured;
+  connection.read([&](SQLite::Database& sql) {
+    // An attempt's particle-steps are the job's so far; only a job done in one attempt tells
+    // how many of them its core-seconds bought.
+    SQLite::Statement select(sql, R"(
+        SELECT coalesce(sum(core_seconds), 0), coalesce(sum(particle_steps), 0) FROM attempts
+        WHERE exit_reason = 'finished' AND core_seconds IS NOT NULL
+          AND job_id IN (SELECT job_id FROM attempts GROUP BY job_id HAVING count(*) = 1))");
+    select.executeStep();
+    measured.core_seconds = select.getColumn(0).getDouble();
+    measured.particle_steps = select.getColumn(1).getDouble();
+    SQLite::Statement ratio(sql, R"(
+        SELECT coalesce(sum(j.expected_particle_steps) / sum(r.particle_steps), 0)
+        FROM job_results r JOIN jobs j ON j.id = r.job_id)");
+    ratio.executeStep();
+    measured.expected_over_done = ratio.getColumn(0).getDouble();
+  });
+  return measured;
+}
+
+double newest_result(const Connection& connection, std::int64_t sweep) {
+  double seconds = 0;
+  connection.read([&](SQLite::Database& sql) {
+    SQLite::Statement select(sql, R"(
+        SELECT coalesce((julianday(max(r.finished)) - 2440587.5) * 86400.0, 0) FROM job_results r
+        JOIN sweep_jobs sj ON sj.job_id = r.job_id WHERE sj.sweep_id = ?)");
+    bind_all(select, sweep);
+    select.executeStep();
+    seconds = select.getColumn(0).getDouble();
+  });
+  return seconds;
+}
+
+}  // namespace eerie::db

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/connection.hpp"
+#include "db/rows.hpp"
+
+namespace eerie::db {
+
+struct Range {
+  double lo, hi;  ///< both inclusive
+};
+
+/// Conditions on results; an empty one holds for every result.
+struct ResultFilter {
+  std::optional<std::int64_t> sweep;
+  std::optional<double> q, phi_d_deg;
+  std::optional<Range> v_imp_cm_per_s, theta_imp_deg;
+  std::optional<std::string> outcome_class;
+  bool eer_only = false;  ///< at least one remnant is extremely elongated
+};
+
+/// A row of the view `results`, with the job's point.
+struct ResultRow {
+  std::int64_t job = 0;
+  std::string hash;
+  double q = 0, phi_d_deg = 0, v_imp_cm_per_s = 0, theta_imp_deg = 0, v_over_v_esc = 0;
+  std::int64_t particles_per_target = 0, seed = 0;
+  double end_time_s = 0;
+  Result result;
+  std::string finished;
+};
+
+/// Ordered by q, phi_d, v_imp, theta_imp, seed.
+std::vector<ResultRow> results(const Connection& connection, const ResultFilter& filter);
+
+/// One place of a map: all jobs with this speed and angle, which differ in seed and the like.
+struct MapPoint {
+  double q = 0, phi_d_deg = 0, v_imp_cm_per_s = 0, theta_imp_deg = 0, v_over_v_esc = 0;
+  std::int64_t particles_per_target = 0;
+  std::int64_t jobs = 0, done = 0, failed = 0;
+  std::optional<double> b_over_a;  ///< mean over the finished jobs
+  std::string outcome_class;       ///< of most of them
+  bool eer = false;                ///< at least half of them made an EER
+  bool settled = true;             ///< all of them
+};
+
+struct MapFilter {
+  std::optional<std::int64_t> sweep;
+  std::optional<double> q, phi_d_deg;
+  std::optional<std::int64_t> particles_per_target;
+};
+
+/// Ordered by q, phi_d, particles, then v_imp and theta_imp.
+std::vector<MapPoint> map_points(const Connection& connection, const MapFilter& filter);
+
+/// Counts of a sweep's jobs by state, and what is left and was spent.
+struct SweepStatus {
+  std::int64_t id = 0;
+  std::string name, created;
+  std::map<JobState, std::int64_t> jobs;
+  double particle_steps_left = 0;  ///< expected, of pending and running jobs
+};
+std::vector<SweepStatus> sweep_status(const Connection& connection);
+
+/// One cause of failure: how many jobs, and one of them in full.
+struct FailureGroup {
+  std::string kind;
+  std::int64_t jobs = 0;
+  std::string example_hash, example_message;
+};
+std::vector<FailureGroup> failures(const Connection& connection,
+                                   std::optional<std::int64_t> sweep = std::nullopt);
+
+/// Measured over all finished attempts; 0 where nothing has been measured.
+struct Speed {
+  double core_seconds = 0, particle_steps = 0;
+  double expected_over_done = 0;  ///< expected over real particle-steps of finished jobs
+};
+Speed speed(const Connection& connection);
+
+/// When the newest result of the sweep was committed, in seconds since 1970; 0 without any.
+double newest_result(const Connection& connection, std::int64_t sweep);
+
+}  // namespace eerie::db
