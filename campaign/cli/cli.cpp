@@ -1,0 +1,207 @@
+#include "campaign/cli/cli.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+
+#include "campaign/cli/commands.hpp"
+#include "campaign/provenance.hpp"
+#include "campaign/worker.hpp"
+#include "db/error.hpp"
+#include "solver/base/error.hpp"
+
+namespace eerie::cli {
+namespace {
+
+using Action = std::function<int()>;
+constexpr int most_threads = 4096;
+
+void add_database(CLI::App& app, std::filesystem::path& database) {
+  database = "eerie.sqlite";
+  app.add_option("--db", database, "database file")->capture_default_str();
+}
+void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
+  app.add_option("--set", overrides, "override a field of the scene, PATH=VALUE; may be repeated")
+      ->allow_extra_args(false);
+}
+void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "print JSON"); }
+
+// Each function adds one command's options and gives what the command does. The arguments live
+// as long as the action.
+
+Action add_run(CLI::App& app) {
+  auto a = std::make_shared<RunArguments>();
+  app.add_option("SWEEP", a->sweep, "sweep file")->required();
+  add_database(app, a->database);
+  app.add_option("--workers", a->workers, "jobs at a time (default: cores / threads per job)")
+      ->check(CLI::Range(1, most_threads));
+  app.add_option("--threads-per-job", a->threads_per_job, "threads of each job")
+      ->check(CLI::Range(1, most_threads))
+      ->capture_default_str();
+  add_overrides(app, a->overrides);
+  app.add_option("--map", a->maps, "draw the b/a map into this file too (.png, .svg or .pdf)");
+  app.add_flag("--retry-failed", a->retry_failed, "run the sweep's failed jobs again");
+  add_json(app, a->json);
+  return [a] { return run(*a); };
+}
+
+Action add_expand(CLI::App& app) {
+  auto a = std::make_shared<ExpandArguments>();
+  app.add_option("SWEEP", a->sweep, "sweep file")->required();
+  add_database(app, a->database);
+  add_overrides(app, a->overrides);
+  app.add_flag("--list", a->list, "print every job");
+  add_json(app, a->json);
+  return [a] { return expand(*a); };
+}
+
+Action add_solve(CLI::App& app) {
+  auto a = std::make_shared<SolveArguments>();
+  app.add_option("SCENE", a->scene, "scene file")->required();
+  app.add_option("--out", a->directory, "folder for snapshots, history and result")->required();
+  app.add_option("--max-steps", a->max_steps, "stop after so many steps (default: at the end time)")
+      ->check(CLI::Range(1L, 1'000'000'000'000L));
+  app.add_option("--threads", a->threads, "threads (default: all cores)")
+      ->check(CLI::Range(1, most_threads));
+  add_overrides(app, a->overrides);
+  add_json(app, a->json);
+  return [a] { return solve(*a); };
+}
+
+Action add_analyse(CLI::App& app) {
+  auto a = std::make_shared<AnalyseArguments>();
+  app.add_option("SNAPSHOT", a->snapshot, "snapshot file (.hdf5)")->required();
+  add_json(app, a->json);
+  return [a] { return analyse(*a); };
+}
+
+Action add_status(CLI::App& app) {
+  auto a = std::make_shared<StatusArguments>();
+  add_database(app, a->database);
+  add_json(app, a->json);
+  return [a] { return status(*a); };
+}
+
+Action add_query(CLI::App& app) {
+  auto a = std::make_shared<QueryArguments>();
+  add_database(app, a->database);
+  app.add_option("--q", a->q, "mass ratio");
+  app.add_option("--phi-d", a->phi_d_deg, "friction angle, deg");
+  app.add_option("--v", a->v, "impact speed LO:HI or one value, cm/s");
+  app.add_option("--theta", a->theta, "impact angle LO:HI or one value, deg");
+  app.add_option("--class", a->outcome_class, "outcome class");
+  app.add_flag("--eer", a->eer, "only impacts with an extremely elongated remnant");
+  app.add_option("--format", a->format, "table, csv or json")
+      ->check(CLI::IsMember({"table", "csv", "json"}))
+      ->capture_default_str();
+  add_json(app, a->json);
+  return [a] { return query(*a); };
+}
+
+Action add_map(CLI::App& app) {
+  auto a = std::make_shared<MapArguments>();
+  add_database(app, a->database);
+  app.add_option("--q", a->q, "mass ratio");
+  app.add_option("--phi-d", a->phi_d_deg, "friction angle, deg");
+  app.add_option("--particles", a->particles_per_target, "particles per target");
+  app.add_option("-o,--output", a->files, "picture: .png, .svg or .pdf; may be repeated")
+      ->required();
+  add_json(app, a->json);
+  return [a] { return map(*a); };
+}
+
+Action add_worker(CLI::App& app) {
+  auto a = std::make_shared<WorkerOptions>();
+  app.add_option("DIR", a->directory, "job directory")->required();
+  app.add_option("--threads", a->threads, "threads")->check(CLI::Range(1, most_threads));
+  app.add_option("--parent", a->parent, "process to end with");
+  return [a] { return run_worker(*a); };
+}
+
+struct Command {
+  const char* name;
+  const char* description;
+  const char* examples;  ///< nullptr: hidden from --help
+  Action (*add)(CLI::App&);
+};
+
+constexpr Command commands[] = {
+    {"run", "Run every job of a sweep that is not done yet",
+     "  eerie run sweeps/first-light.json\n"
+     "  eerie run sweeps/table2-fig2b.json --db fig2b.sqlite --workers 8\n"
+     "  eerie run sweeps/first-light.json --set numerics.particles_per_target=5000 "
+     "--threads-per-job 2",
+     add_run},
+    {"expand", "Say what a sweep would run: jobs, new jobs, core-hours",
+     "  eerie expand sweeps/table2-fig2a.json\n"
+     "  eerie expand sweeps/table2-fig2a.json --list --json",
+     add_expand},
+    {"solve", "Run one impact without a database",
+     "  eerie solve scene.json --out impact\n"
+     "  eerie solve scene.json --out impact --set impact.theta_imp_deg=20 --max-steps 1000",
+     add_solve},
+    {"analyse", "Find remnants, shapes, spins and outcome class of a snapshot",
+     "  eerie analyse impact/snapshot_0000.hdf5\n"
+     "  eerie analyse impact/snapshot_0000.hdf5 --json",
+     add_analyse},
+    {"status", "Count the jobs of each sweep and group the failures",
+     "  eerie status\n"
+     "  eerie status --db fig2b.sqlite --json",
+     add_status},
+    {"query", "List results",
+     "  eerie query --eer\n"
+     "  eerie query --phi-d 40 --v 18:22 --theta 15 --format csv\n"
+     "  eerie query --class hit-and-run --json",
+     add_query},
+    {"map", "Draw b/a over impact speed and angle",
+     "  eerie map -o map.png\n"
+     "  eerie map --q 1 --phi-d 50 -o map.pdf -o map.svg",
+     add_map},
+    {"worker", "Run the job of a directory", nullptr, add_worker},
+};
+
+int complain(const char* text, ExitCode code) {
+  fmt::print(stderr, "eerie: {}\n", text);
+  return static_cast<int>(code);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "eerie explores impacts of planetesimals that leave extremely elongated remnants (EERs).",
+      "eerie");
+  app.set_version_flag("--version",
+                       "eerie " + provenance().version + " (" + provenance().commit + ")");
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done, 1 some job failed, 2 bad input, 3 environment, 130 stopped by Ctrl-C.\n"
+      "`eerie COMMAND --help` shows examples.");
+  Action chosen;
+  for (const Command& command : commands) {
+    CLI::App* sub = app.add_subcommand(command.name, command.description);
+    if (command.examples == nullptr)
+      sub->group("");
+    else
+      sub->footer(std::string("Examples:\n") + command.examples);
+    sub->callback([&chosen, action = command.add(*sub)] { chosen = action; });
+  }
+  try {
+    app.parse(argc, argv);
+    return chosen();
+  } catch (const CLI::ParseError& error) {
+    const bool asked_for = error.get_exit_code() == 0;  // --help, --version
+    return app.exit(error) == 0 && asked_for ? 0 : static_cast<int>(ExitCode::bad_input);
+  } catch (const InputError& error) {
+    return complain(error.what(), ExitCode::bad_input);
+  } catch (const NumericalError& error) {
+    return complain(error.what(), ExitCode::job_failed);
+  } catch (const std::exception& error) {
+    // EnvironmentError, db::Error and whatever the system's libraries throw.
+    return complain(error.what(), ExitCode::environment);
+  }
+}
+
+}  // namespace eerie::cli

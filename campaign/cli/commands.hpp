@@ -1,0 +1,76 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/query.hpp"
+
+namespace eerie::cli {
+
+/// What the command line says, one struct per command; each function returns the exit code.
+
+struct RunArguments {
+  std::filesystem::path sweep, database;
+  int workers = 0;  ///< 0: as many as cores allow
+  int threads_per_job = 1;
+  std::vector<std::string> overrides;
+  std::vector<std::filesystem::path> maps;  ///< besides the two beside the database
+  bool retry_failed = false;
+  bool json = false;
+};
+int run(const RunArguments& arguments);
+
+struct ExpandArguments {
+  std::filesystem::path sweep, database;
+  std::vector<std::string> overrides;
+  bool list = false, json = false;
+};
+int expand(const ExpandArguments& arguments);
+
+struct SolveArguments {
+  std::filesystem::path scene, directory;
+  long max_steps = 0;  ///< 0: until the end time
+  int threads = 0;     ///< 0: all cores
+  std::vector<std::string> overrides;
+  bool json = false;
+};
+int solve(const SolveArguments& arguments);
+
+struct AnalyseArguments {
+  std::filesystem::path snapshot;
+  bool json = false;
+};
+int analyse(const AnalyseArguments& arguments);
+
+struct StatusArguments {
+  std::filesystem::path database;
+  bool json = false;
+};
+int status(const StatusArguments& arguments);
+
+struct QueryArguments {
+  std::filesystem::path database;
+  std::optional<double> q, phi_d_deg;
+  std::string v, theta;  ///< "LO:HI" or one number; empty: all
+  std::string outcome_class;
+  bool eer = false;
+  std::string format = "table";
+  bool json = false;
+};
+int query(const QueryArguments& arguments);
+
+struct MapArguments {
+  std::filesystem::path database;
+  std::optional<double> q, phi_d_deg;
+  std::optional<std::int64_t> particles_per_target;
+  std::vector<std::filesystem::path> files;
+  bool json = false;
+};
+int map(const MapArguments& arguments);
+
+/// "18:22" -> {18, 22}; "20" -> {20, 20}. Throws InputError naming `option`.
+db::Range parse_range(const std::string& text, const std::string& option);
+
+}  // namespace eerie::cli

@@ -1,0 +1,53 @@
+#include "campaign/cli/progress_line.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "campaign/cli/text_table.hpp"
+
+namespace eerie::cli {
+namespace {
+constexpr std::size_t bar_width = 24;
+}
+
+std::string progress_text(const CampaignView& view, bool with_bar) {
+  std::string text;
+  if (with_bar && view.total > 0) {
+    const std::size_t filled = bar_width * (view.done + view.failed) / view.total;
+    text += "[" + std::string(filled, '#') + std::string(bar_width - filled, '-') + "] ";
+  }
+  text += fmt::format("{}/{} done", view.done, view.total);
+  if (view.failed > 0) text += fmt::format(", {} failed", view.failed);
+  text += fmt::format(", {} running", view.running);
+  if (view.stopping)
+    return text + " | stopping: workers write their checkpoints (Ctrl-C again: at once)";
+  if (view.particle_steps_per_s > 0)
+    text += fmt::format(" | {} particle-steps/s", magnitude(view.particle_steps_per_s));
+  if (view.eta_s >= 0) text += " | ETA " + duration(view.eta_s);
+  return text;
+}
+
+ProgressLine::ProgressLine()
+    : terminal_(::isatty(STDERR_FILENO) != 0),
+      next_(std::chrono::steady_clock::now() +
+            (terminal_ ? std::chrono::seconds(0) : std::chrono::seconds(10))) {}
+
+void ProgressLine::show(const CampaignView& view) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_) return;
+  next_ = now + (terminal_ ? std::chrono::milliseconds(500) : std::chrono::seconds(10));
+  if (terminal_)
+    fmt::print(stderr, "\r\033[K{}", progress_text(view, true));
+  else
+    fmt::print(stderr, "{}\n", progress_text(view, false));
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+void ProgressLine::finish() {
+  if (terminal_ && drawn_) fmt::print(stderr, "\r\033[K");
+}
+
+}  // namespace eerie::cli

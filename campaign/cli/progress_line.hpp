@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "campaign/run_loop.hpp"
+
+namespace eerie::cli {
+
+/// Shows a campaign at work on stderr: a bar that redraws itself on a terminal, else a line at
+/// most every ten seconds.
+class ProgressLine {
+ public:
+  ProgressLine();
+  void show(const CampaignView& view);
+  void finish();  ///< leaves the terminal's line
+
+ private:
+  bool terminal_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point next_;
+};
+
+/// "[######----] 3/15 done, 1 failed, 2 running | 1.9 M particle-steps/s | ETA 3 min 20 s".
+std::string progress_text(const CampaignView& view, bool with_bar);
+
+}  // namespace eerie::cli

@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "campaign/cli/commands.hpp"
+#include "campaign/cli/progress_line.hpp"
+#include "campaign/cli/result_columns.hpp"
+#include "campaign/job.hpp"
+#include "campaign/local_processes.hpp"
+#include "campaign/map.hpp"
+#include "campaign/run_loop.hpp"
+#include "campaign/signals.hpp"
+#include "db/lock.hpp"
+#include "solver/base/error.hpp"
+
+namespace eerie::cli {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr int stopped_by_signal = 130;  // 128 + SIGINT, as shells expect
+
+void work(db::Connection& connection, const RunArguments& a, std::int64_t sweep) {
+  const auto cores = static_cast<int>(usable_cores());
+  const int workers = a.workers > 0 ? a.workers : std::max(1, cores / a.threads_per_job);
+  LocalProcesses processes(static_cast<std::size_t>(workers), a.threads_per_job);
+  RunLoop loop(connection, processes, sweep);
+  ProgressLine line;
+  loop.run(stop_requests, [&](const CampaignView& view) { line.show(view); });
+  line.finish();
+}
+
+struct Tally {
+  std::size_t total = 0, done = 0, failed = 0, left = 0;
+};
+Tally tally(const db::Connection& connection, std::int64_t sweep) {
+  Tally t;
+  for (const db::Job& job : db::jobs(connection, {sweep, std::nullopt})) {
+    ++t.total;
+    if (job.state == db::JobState::done)
+      ++t.done;
+    else if (job.state == db::JobState::failed)
+      ++t.failed;
+    else if (job.state != db::JobState::cancelled)
+      ++t.left;
+  }
+  return t;
+}
+
+/// The two pictures beside the database and those asked for by --map.
+std::vector<fs::path> draw(const db::Connection& connection, const RunArguments& a,
+                           std::int64_t sweep, const std::string& name) {
+  std::vector<fs::path> pictures = draw_sweep_maps(connection, sweep, name);
+  if (!a.maps.empty()) {
+    db::MapFilter filter;
+    filter.sweep = sweep;
+    draw_named_maps(connection, filter, a.maps);
+    pictures.insert(pictures.end(), a.maps.begin(), a.maps.end());
+  }
+  return pictures;
+}
+
+json report_json(const db::Connection& connection, const RunArguments& a, std::int64_t sweep,
+                 const std::string& name, const Tally& t, const std::vector<fs::path>& pictures) {
+  json failures = json::array();
+  for (const db::FailureGroup& f : db::failures(connection, sweep))
+    failures.push_back({{"kind", f.kind},
+                        {"jobs", f.jobs},
+                        {"hash", f.example_hash},
+                        {"message", f.example_message}});
+  json paths = json::array();
+  for (const fs::path& picture : pictures) paths.push_back(picture.string());
+  db::ResultFilter filter;
+  filter.sweep = sweep;
+  return {{"sweep", name},
+          {"database", a.database.string()},
+          {"jobs", {{"total", t.total}, {"done", t.done}, {"failed", t.failed}, {"left", t.left}}},
+          {"results", results_json(db::results(connection, filter))},
+          {"failures", std::move(failures)},
+          {"pictures", std::move(paths)}};
+}
+
+void print_report(const db::Connection& connection, const RunArguments& a, std::int64_t sweep,
+                  const Tally& t, const std::vector<fs::path>& pictures) {
+  db::ResultFilter filter;
+  filter.sweep = sweep;
+  fmt::print("\n{}\n", results_table(db::results(connection, filter)));
+  fmt::print("{} of {} jobs done", t.done, t.total);
+  if (t.failed > 0) fmt::print(", {} failed", t.failed);
+  if (t.left > 0) fmt::print(", {} left", t.left);
+  fmt::print("\n");
+  for (const db::FailureGroup& f : db::failures(connection, sweep))
+    fmt::print("failed: {} x {}; for example {}: {}\n", f.jobs, f.kind,
+               job_directory(a.database, f.example_hash).path.string(), f.example_message);
+  if (t.failed > 0) fmt::print("run again with --retry-failed to try the failed jobs once more\n");
+  fmt::print("database: {}\n", a.database.string());
+  for (const fs::path& picture : pictures) fmt::print("map:      {}\n", picture.string());
+}
+
+}  // namespace
+
+int run(const RunArguments& a) {
+  const Sweep sweep = load_sweep(a.sweep, a.overrides);
+  const std::vector<db::NewJob> jobs = jobs_of(sweep);
+  catch_stop_signals();
+  hold_signals();
+  const db::Lock lock(a.database);
+  db::Connection connection(a.database, db::Access::write);
+  const db::AddedSweep added = db::add_sweep(connection, sweep.name, document(sweep), jobs);
+  if (a.retry_failed) db::retry_failed(connection, added.sweep);
+
+  const Tally before = tally(connection, added.sweep);
+  if (!a.json) {
+    if (before.left == 0)
+      fmt::print("{}: nothing left to do\n", sweep.name);
+    else
+      fmt::print("{}: {} jobs, {} new, {} to run\n", sweep.name, added.jobs, added.added,
+                 before.left);
+    std::fflush(stdout);
+  }
+  if (before.left > 0) work(connection, a, added.sweep);
+
+  const Tally after = tally(connection, added.sweep);
+  const std::vector<fs::path> pictures = draw(connection, a, added.sweep, sweep.name);
+  if (a.json)
+    fmt::print("{}\n",
+               report_json(connection, a, added.sweep, sweep.name, after, pictures).dump(1));
+  else
+    print_report(connection, a, added.sweep, after, pictures);
+  if (after.left > 0) {
+    fmt::print(stderr, "stopped; the same command goes on from the checkpoints\n");
+    return stopped_by_signal;
+  }
+  return static_cast<int>(after.failed > 0 ? ExitCode::job_failed : ExitCode::done);
+}
+
+}  // namespace eerie::cli

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "campaign/cli/commands.hpp"
+#include "campaign/cli/outcome_text.hpp"
+#include "campaign/cli/text_table.hpp"
+#include "campaign/job_directory.hpp"
+#include "campaign/json_file.hpp"
+#include "campaign/local_processes.hpp"
+#include "campaign/result_file.hpp"
+#include "campaign/scene_field.hpp"
+#include "campaign/signals.hpp"
+#include "campaign/worker.hpp"
+#include "campaign/worker_lock.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
+#include "solver/scene/validate.hpp"
+
+namespace eerie::cli {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+Scene load_scene(const SolveArguments& a) {
+  const std::string where = a.scene.string();
+  json document = with_integers(load_json(a.scene));
+  require_valid(scene_schema(), document, where);
+  apply_overrides(document, a.overrides);
+  return parse_scene(document, where);
+}
+
+/// Prints where the run is: often on a terminal, else every ten seconds.
+class StepLine {
+ public:
+  void operator()(const Progress& p) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    next_ = now + (terminal_ ? std::chrono::milliseconds(500) : std::chrono::seconds(10));
+    fmt::print(stderr, "{}{:.6g} of {:.6g} s, step {}, dt {:.3g} s{}", terminal_ ? "\r\033[K" : "",
+               p.time, p.end_time, p.step, p.dt, terminal_ ? "" : "\n");
+    std::fflush(stderr);
+  }
+  void finish() const {
+    if (terminal_) fmt::print(stderr, "\r\033[K");
+  }
+
+ private:
+  bool terminal_ = ::isatty(STDERR_FILENO) != 0;
+  std::chrono::steady_clock::time_point next_{};
+};
+
+double particle_steps_here(const RunSummary& s) {
+  return s.steps_here * static_cast<double>(s.last.state.size());
+}
+
+void print_cost(const RunSummary& s) {
+  const double rate = particle_steps_here(s) / (s.progress.wall_s * s.threads);
+  fmt::print("{} steps to {:.6g} s, {} particle-steps in {} on {} threads\n", s.progress.step,
+             s.progress.time, magnitude(s.progress.particle_steps), duration(s.progress.wall_s),
+             s.threads);
+  fmt::print("{} particle-steps per second and core\n\n", magnitude(rate));
+  std::vector<std::vector<std::string>> rows = {{"stage", "s", "%"}};
+  for (std::size_t i = 0; i < stage_count; ++i)
+    rows.push_back(
+        {std::string(stage_names[i]), fmt::format("{:.2f}", s.stages.seconds[i]),
+         fmt::format("{:.1f}", 100 * s.stages.seconds[i] / std::max(s.stages.total(), 1e-9))});
+  fmt::print("{}\n", text_table(rows));
+}
+
+}  // namespace
+
+int solve(const SolveArguments& a) {
+  const Scene scene = load_scene(a);
+  catch_stop_signals();
+  std::error_code problem;
+  fs::create_directories(a.directory, problem);
+  if (problem)
+    throw EnvironmentError(fmt::format("cannot make the folder {}: {}; give another to --out",
+                                       a.directory.string(), problem.message()));
+  const JobDirectory directory{a.directory};
+  const WorkerLock lock(directory);
+  install_text(directory.scene(), to_json(scene).dump(1) + "\n");
+  const int threads = a.threads > 0 ? a.threads : static_cast<int>(usable_cores());
+  StepLine line;
+  const Computed computed = compute(scene, a.directory, threads, a.max_steps, std::ref(line));
+  line.finish();
+  const RunSummary& summary = computed.summary;
+  const bool finished = summary.end == RunEnd::finished;
+  if (finished)
+    install_text(directory.result(), result_json(scene, summary, computed.analysis).dump(1) + "\n");
+  if (a.json) {
+    json report = result_json(scene, summary, computed.analysis);
+    report["finished"] = finished;
+    report["run"]["particle_steps_per_core_second"] =
+        particle_steps_here(summary) / (summary.progress.wall_s * summary.threads);
+    fmt::print("{}\n", report.dump(1));
+  } else {
+    print_cost(summary);
+    fmt::print("{}", outcome_text(computed.analysis));
+  }
+  if (summary.end == RunEnd::stopped) {
+    fmt::print(stderr, "stopped; the same command goes on from the checkpoint\n");
+    return 130;
+  }
+  return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace eerie::cli

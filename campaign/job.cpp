@@ -1,0 +1,52 @@
+#include "campaign/job.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <unordered_set>
+
+#include "solver/base/constants.hpp"
+
+namespace eerie {
+
+double mutual_escape_speed(const Scene& scene) {
+  return std::sqrt(2 * newton_G * target_mass(scene) * (1 + scene.impact.q) /
+                   contact_distance(scene));
+}
+
+double expected_particle_steps(const Scene& scene) {
+  const Scene::Material& m = scene.material;
+  const double c_l =
+      std::sqrt((m.tillotson.A_Pa + 4.0 / 3 * m.shear_modulus_Pa) / m.rho0_kg_per_m3);
+  const double dt = scene.numerics.cfl * smoothing_length(scene) / c_l;
+  const auto particles =
+      static_cast<double>(scene.numerics.particles_per_target + impactor_particles(scene));
+  return particles * std::ceil(scene.end.time_s / dt);
+}
+
+db::NewJob new_job(const Scene& scene) {
+  db::NewJob job;
+  job.hash = scene_hash(scene);
+  job.scene = to_json(scene).dump();
+  job.q = scene.impact.q;
+  job.phi_d_deg = scene.material.drucker_prager.phi_d_deg;
+  job.v_imp_cm_per_s = scene.impact.v_imp_cm_per_s;
+  job.theta_imp_deg = scene.impact.theta_imp_deg;
+  job.v_over_v_esc = scene.impact.v_imp_cm_per_s / 100 / mutual_escape_speed(scene);
+  job.particles_per_target = scene.numerics.particles_per_target;
+  job.seed = scene.numerics.seed;
+  job.end_time_s = scene.end.time_s;
+  job.expected_particle_steps = expected_particle_steps(scene);
+  return job;
+}
+
+std::vector<db::NewJob> jobs_of(const Sweep& sweep) {
+  std::vector<db::NewJob> jobs;
+  std::unordered_set<std::string> seen;
+  for (const Scene& scene : expand(sweep)) {
+    db::NewJob job = new_job(scene);
+    if (seen.insert(job.hash).second) jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
+}  // namespace eerie

@@ -1,0 +1,67 @@
+#include "campaign/job_directory.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "solver/base/file.hpp"
+
+namespace eerie {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+JobDirectory job_directory(const fs::path& database, const std::string& hash) {
+  return {fs::path(database.string() + ".jobs") / hash.substr(0, 16)};
+}
+
+json to_json(const WorkerProgress& p) {
+  return {{"time_s", p.time_s}, {"end_time_s", p.end_time_s},
+          {"step", p.step},     {"particle_steps", p.particle_steps},
+          {"wall_s", p.wall_s}, {"pid", p.pid}};
+}
+
+std::optional<WorkerProgress> read_progress(const JobDirectory& directory) {
+  const auto document = read_json(directory.progress());
+  if (!document || !document->is_object()) return std::nullopt;
+  WorkerProgress p;
+  // A field of another type means a foreign file; progress only feeds the display.
+  try {
+    document->at("time_s").get_to(p.time_s);
+    document->at("end_time_s").get_to(p.end_time_s);
+    document->at("step").get_to(p.step);
+    document->at("particle_steps").get_to(p.particle_steps);
+    document->at("wall_s").get_to(p.wall_s);
+    document->at("pid").get_to(p.pid);
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+  return p;
+}
+
+json to_json(const Failure& f) {
+  return {
+      {"kind", f.kind}, {"step", f.step}, {"particle_id", f.particle_id}, {"message", f.message}};
+}
+
+std::optional<Failure> read_failure(const JobDirectory& directory) {
+  const auto document = read_json(directory.failure());
+  if (!document || !document->is_object()) return std::nullopt;
+  Failure f;
+  try {
+    document->at("kind").get_to(f.kind);
+    document->at("step").get_to(f.step);
+    document->at("particle_id").get_to(f.particle_id);
+    document->at("message").get_to(f.message);
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+  return f;
+}
+
+std::optional<json> read_json(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  json document = json::parse(read_file(path), nullptr, false);
+  if (document.is_discarded()) return std::nullopt;
+  return document;
+}
+
+}  // namespace eerie

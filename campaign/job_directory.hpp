@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+namespace eerie {
+
+/// The folder through which manager and worker speak (docs/job-directory.md). Every file in it
+/// is installed whole or not at all.
+struct JobDirectory {
+  std::filesystem::path path;
+
+  std::filesystem::path scene() const { return path / "scene.json"; }
+  std::filesystem::path progress() const { return path / "progress.json"; }
+  std::filesystem::path heartbeat() const { return path / "heartbeat.json"; }
+  std::filesystem::path result() const { return path / "result.json"; }
+  std::filesystem::path failure() const { return path / "failure.json"; }
+  std::filesystem::path history() const { return path / "history.csv"; }
+  std::filesystem::path checkpoint() const { return path / "checkpoint.hdf5"; }
+  std::filesystem::path log() const { return path / "log.txt"; }
+  std::filesystem::path worker_lock() const { return path / "worker.lock"; }
+};
+
+/// "<database>.jobs/<first 16 hex digits of the hash>".
+JobDirectory job_directory(const std::filesystem::path& database, const std::string& hash);
+
+/// What a running worker says of itself about once a second.
+struct WorkerProgress {
+  double time_s = 0, end_time_s = 0;
+  long step = 0;
+  double particle_steps = 0;  ///< of the job, earlier attempts included
+  double wall_s = 0;          ///< of this worker
+  long pid = 0;
+};
+nlohmann::json to_json(const WorkerProgress& progress);
+
+/// Nothing where the file is missing or unreadable.
+std::optional<WorkerProgress> read_progress(const JobDirectory& directory);
+
+/// Why a run cannot give a result; the file's presence makes the job failed.
+struct Failure {
+  std::string kind;  ///< e.g. "not-finite"
+  long step = 0;
+  long particle_id = -1;  ///< -1: no single particle is to blame
+  std::string message;
+};
+nlohmann::json to_json(const Failure& failure);
+std::optional<Failure> read_failure(const JobDirectory& directory);
+
+/// A JSON file's content, or nothing where it is missing or is not JSON.
+std::optional<nlohmann::json> read_json(const std::filesystem::path& path);
+
+}  // namespace eerie

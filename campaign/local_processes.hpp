@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+
+#include "campaign/scheduler.hpp"
+
+namespace eerie {
+
+/// Workers as child processes of this one: the program itself, as `eerie worker DIR`.
+class LocalProcesses : public Scheduler {
+ public:
+  LocalProcesses(std::size_t workers, int threads_per_job);
+  ~LocalProcesses() override;  ///< kills what is left
+
+  std::size_t free_slots() const override { return workers_ - jobs_.size(); }
+  std::int64_t start(std::int64_t job, const JobDirectory& directory) override;
+  std::vector<WorkerEnd> wait(std::chrono::milliseconds longest) override;
+  void stop_all() override;
+  void kill_all() override;
+
+ private:
+  std::vector<WorkerEnd> reap();
+
+  std::size_t workers_;
+  int threads_per_job_;
+  std::map<pid_t, std::int64_t> jobs_;  ///< process id -> job
+};
+
+/// Cores this process may use.
+std::size_t usable_cores();
+
+}  // namespace eerie

@@ -1,0 +1,103 @@
+#include "campaign/map.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "solver/base/error.hpp"
+
+namespace eerie {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// v sin(theta) of the ridge of elongated remnants, cm/s, for equal bodies (Sugiura et al. 2019).
+std::optional<double> threshold(double q, double phi_d_deg) {
+  if (q != 1) return std::nullopt;
+  if (phi_d_deg == 40) return 5.1;
+  if (phi_d_deg == 50) return 7.4;
+  return std::nullopt;
+}
+
+PhaseCell cell(const db::MapPoint& p) {
+  CellState state = CellState::pending;
+  if (p.done > 0)
+    state = p.settled ? CellState::done : CellState::unsettled;
+  else if (p.failed > 0)
+    state = CellState::failed;
+  return {p.v_imp_cm_per_s, p.theta_imp_deg, state, p.b_over_a.value_or(0), p.outcome_class, p.eer};
+}
+
+std::string label(const PhaseDiagram& d) {
+  return fmt::format("q{}-phi{}-n{}", d.q, d.phi_d_deg, d.particles_per_target);
+}
+
+bool up_to_date(const fs::path& picture, double newest_result_s) {
+  std::error_code problem;
+  const auto written = fs::last_write_time(picture, problem);
+  if (problem) return false;
+  const auto unix_time = std::chrono::file_clock::to_sys(written).time_since_epoch();
+  return std::chrono::duration<double>(unix_time).count() >= newest_result_s;
+}
+
+}  // namespace
+
+std::vector<PhaseDiagram> phase_diagrams(const db::Connection& connection,
+                                         const db::MapFilter& filter) {
+  std::vector<PhaseDiagram> diagrams;
+  for (const db::MapPoint& p : db::map_points(connection, filter)) {
+    const bool same = !diagrams.empty() && diagrams.back().q == p.q &&
+                      diagrams.back().phi_d_deg == p.phi_d_deg &&
+                      diagrams.back().particles_per_target == p.particles_per_target;
+    if (!same)
+      diagrams.push_back({p.q,
+                          p.phi_d_deg,
+                          p.particles_per_target,
+                          p.v_imp_cm_per_s / p.v_over_v_esc,
+                          threshold(p.q, p.phi_d_deg),
+                          {}});
+    diagrams.back().cells.push_back(cell(p));
+  }
+  return diagrams;
+}
+
+std::vector<fs::path> draw_sweep_maps(const db::Connection& connection, std::int64_t sweep,
+                                      const std::string& sweep_name) {
+  db::MapFilter filter;
+  filter.sweep = sweep;
+  const std::vector<PhaseDiagram> diagrams = phase_diagrams(connection, filter);
+  const double newest = db::newest_result(connection, sweep);
+  if (newest == 0) return {};
+  std::vector<fs::path> pictures;
+  for (const PhaseDiagram& diagram : diagrams) {
+    std::string stem = connection.path().stem().string() + "-" + sweep_name;
+    if (diagrams.size() > 1) stem += "-" + label(diagram);
+    for (const char* extension : {".png", ".svg"}) {
+      pictures.push_back(connection.path().parent_path() / (stem + extension));
+      if (!up_to_date(pictures.back(), newest)) draw_phase_diagram(pictures.back(), diagram);
+    }
+  }
+  return pictures;
+}
+
+void draw_named_maps(const db::Connection& connection, const db::MapFilter& filter,
+                     const std::vector<fs::path>& files) {
+  const std::vector<PhaseDiagram> diagrams = phase_diagrams(connection, filter);
+  if (diagrams.empty())
+    throw InputError(
+        fmt::format("{}: holds no job with these parameters; `eerie status` shows what it holds",
+                    connection.path().string()));
+  if (diagrams.size() > 1) {
+    std::string choices;
+    for (const PhaseDiagram& d : diagrams)
+      choices += fmt::format("\n  --q {} --phi-d {} --particles {}", d.q, d.phi_d_deg,
+                             d.particles_per_target);
+    throw InputError(fmt::format("{}: holds several maps; choose one by{}",
+                                 connection.path().string(), choices));
+  }
+  for (const fs::path& file : files) draw_phase_diagram(file, diagrams.front());
+}
+
+}  // namespace eerie

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <chrono>
+
+namespace eerie {
+
+/// Makes SIGINT and SIGTERM requests to stop instead of ends. Call once, before threads start.
+void catch_stop_signals();
+
+/// How often a stop was asked for since.
+int stop_requests();
+
+/// Keeps stop signals and SIGCHLD waiting except inside wait_for_signal(), so that none falls
+/// between a check and the wait that follows it.
+void hold_signals();
+
+/// Sleeps until a held signal arrives or the time is over.
+void wait_for_signal(std::chrono::milliseconds longest);
+
+}  // namespace eerie

@@ -1,0 +1,126 @@
+#include "campaign/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "campaign/json_file.hpp"
+#include "campaign/sweep_schema_text.hpp"
+#include "solver/base/error.hpp"
+#include "solver/scene/validate.hpp"
+
+namespace eerie {
+using nlohmann::json;
+
+namespace {
+
+const json& sweep_schema() {
+  static const json schema = json::parse(sweep_schema_text);
+  return schema;
+}
+
+/// The schema without what require_plain_name() and parse_axis() say in better words.
+json outline() {
+  json schema = sweep_schema();
+  schema["properties"]["grid"] = {{"type", "object"}};
+  schema["properties"]["name"] = {{"type", "string"}};
+  return schema;
+}
+
+/// The name becomes part of file names.
+void require_plain_name(const std::string& name, const std::string& where) {
+  const bool plain = !name.empty() && name.size() <= 64 && name.front() != '.' &&
+                     name.front() != '-' &&
+                     std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                       return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
+                     });
+  if (!plain)
+    throw InputError(
+        fmt::format("{}: name = {}: must be 1 to 64 letters, digits, '-', '_' or '.', starting "
+                    "with a letter or "
+                    "digit; for example \"first-light\"",
+                    where, json(name).dump(-1, ' ', false, json::error_handler_t::replace)));
+}
+
+void require_not_both(const Sweep& sweep, const Axis& axis) {
+  if (const json* value = find_field(sweep.scene, axis.path))
+    throw InputError(
+        fmt::format("{}: {} = {} stands in the scene (or in --set) and is an axis of the grid too; "
+                    "remove one of them",
+                    sweep.where, axis.path, value->dump()));
+  for (const Axis& other : sweep.axes)
+    if (other.path == axis.path)
+      throw InputError(fmt::format("{}: grid: two axes name the field {}; remove one of them",
+                                   sweep.where, axis.path));
+}
+
+void require_few_enough(const Sweep& sweep) {
+  double count = 1;
+  for (const Axis& axis : sweep.axes) count *= static_cast<double>(axis.values.size());
+  if (count > static_cast<double>(max_sweep_jobs))
+    throw InputError(
+        fmt::format("{}: grid: {:.0f} jobs are more than the {} of one sweep; use fewer values "
+                    "or several sweeps",
+                    sweep.where, count, max_sweep_jobs));
+}
+
+}  // namespace
+
+Sweep parse_sweep(const json& given, const std::vector<std::string>& overrides,
+                  const std::string& where) {
+  require_valid(outline(), given, where + ": sweep");
+  Sweep sweep{given["name"], with_integers(given.value("scene", json::object())), {}, where};
+  require_plain_name(sweep.name, where);
+  require_valid(scene_schema(), sweep.scene, where + ": scene");
+  apply_overrides(sweep.scene, overrides);
+  if (given["grid"].empty())
+    throw InputError(where +
+                     ": grid = {}: must have at least one axis; for example "
+                     "\"grid\": {\"v_imp_cm_per_s\": [20]}");
+  for (const auto& [name, spec] : given["grid"].items()) {
+    Axis axis = parse_axis(name, spec, where + ": grid." + name);
+    require_not_both(sweep, axis);
+    sweep.axes.push_back(std::move(axis));
+  }
+  require_few_enough(sweep);
+  require_valid(sweep_schema(), given, where + ": sweep");
+  return sweep;
+}
+
+Sweep load_sweep(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  return parse_sweep(load_json(path), overrides, path.string());
+}
+
+std::size_t point_count(const Sweep& sweep) {
+  std::size_t count = 1;
+  for (const Axis& axis : sweep.axes) count *= axis.values.size();
+  return count;
+}
+
+std::vector<Scene> expand(const Sweep& sweep) {
+  std::vector<Scene> scenes;
+  scenes.reserve(point_count(sweep));
+  for (std::size_t point = 0; point < point_count(sweep); ++point) {
+    json scene = sweep.scene;
+    std::size_t rest = point;
+    for (auto axis = sweep.axes.rbegin(); axis != sweep.axes.rend(); ++axis) {
+      set_field(scene, axis->path, canonical_number(axis->values[rest % axis->values.size()]));
+      rest /= axis->values.size();
+    }
+    scenes.push_back(parse_scene(scene, sweep.where + ": scene"));
+  }
+  return scenes;
+}
+
+std::string document(const Sweep& sweep) {
+  json grid;
+  for (const Axis& axis : sweep.axes) {
+    json values = json::array();
+    for (const double value : axis.values) values.push_back(canonical_number(value));
+    grid[axis.path] = std::move(values);
+  }
+  return json{{"name", sweep.name}, {"scene", sweep.scene}, {"grid", std::move(grid)}}.dump();
+}
+
+}  // namespace eerie

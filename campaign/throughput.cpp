@@ -1,0 +1,62 @@
+#include "campaign/throughput.hpp"
+
+#include <algorithm>
+
+namespace eerie {
+namespace {
+constexpr auto window = std::chrono::seconds(30);
+}
+
+Throughput::Throughput(double expected_left, double expected_over_done)
+    : left_not_running_(expected_left),
+      scale_(expected_over_done > 0 ? 1 / expected_over_done : 1) {}
+
+void Throughput::started(std::int64_t job, double expected) {
+  running_[job] = {expected, -1, 0, 0};
+  left_not_running_ -= expected;
+}
+
+void Throughput::progressed(std::int64_t job, const WorkerProgress& progress) {
+  const auto entry = running_.find(job);
+  if (entry == running_.end()) return;
+  Running& run = entry->second;
+  if (run.first < 0) run.first = run.last = progress.particle_steps;
+  if (progress.particle_steps > run.last) {
+    done_ += progress.particle_steps - run.last;
+    run.last = progress.particle_steps;
+  }
+  if (progress.end_time_s > 0) run.fraction = progress.time_s / progress.end_time_s;
+}
+
+void Throughput::ended(std::int64_t job, bool done) {
+  const auto entry = running_.find(job);
+  if (entry == running_.end()) return;
+  if (!done) left_not_running_ += entry->second.expected;
+  running_.erase(entry);
+}
+
+void Throughput::sample(Clock::time_point now) {
+  samples_.push_back({now, done_});
+  while (samples_.size() > 2 && now - samples_.front().at > window) samples_.pop_front();
+}
+
+double Throughput::particle_steps_per_s() const {
+  if (samples_.size() < 2) return 0;
+  const double seconds =
+      std::chrono::duration<double>(samples_.back().at - samples_.front().at).count();
+  return seconds > 0 ? (samples_.back().done - samples_.front().done) / seconds : 0;
+}
+
+double Throughput::eta_s() const {
+  const double speed = particle_steps_per_s();
+  if (speed <= 0) return -1;
+  double left = left_not_running_ * scale_;
+  for (const auto& [job, run] : running_) {
+    // A run that has come some way knows its own length better than the formula does.
+    const double whole = run.fraction > 0.02 ? run.last / run.fraction : run.expected * scale_;
+    left += whole * (1 - run.fraction);
+  }
+  return std::max(0.0, left / speed);
+}
+
+}  // namespace eerie

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <map>
+
+#include "campaign/job_directory.hpp"
+
+namespace eerie {
+
+/// Speed and time left of a campaign, from particle-steps: jobs differ in length, so counting
+/// jobs would mislead.
+class Throughput {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// `expected_over_done`: of finished jobs, how their expected particle-steps compare with the
+  /// real ones; 0 where unknown.
+  Throughput(double expected_left, double expected_over_done);
+
+  void started(std::int64_t job, double expected);
+  void progressed(std::int64_t job, const WorkerProgress& progress);
+  /// The job runs no longer; `done`: for good (done or failed), else it will start again.
+  void ended(std::int64_t job, bool done);
+  void sample(Clock::time_point now);
+
+  double particle_steps_per_s() const;
+  /// Seconds, or a negative number while unknown.
+  double eta_s() const;
+
+ private:
+  struct Running {
+    double expected = 0;          ///< particle-steps of the whole job
+    double first = -1, last = 0;  ///< particle-steps at the first and the newest report
+    double fraction = 0;          ///< of the simulated time
+  };
+  struct Sample {
+    Clock::time_point at;
+    double done;
+  };
+
+  double left_not_running_;  ///< expected particle-steps of jobs that wait
+  double scale_;             ///< real over expected particle-steps
+  double done_ = 0;          ///< particle-steps seen to be done
+  std::map<std::int64_t, Running> running_;
+  std::deque<Sample> samples_;  ///< of the last half minute
+};
+
+}  // namespace eerie

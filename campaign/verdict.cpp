@@ -1,0 +1,107 @@
+#include "campaign/verdict.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <cstring>
+
+#include "campaign/worker.hpp"
+#include "db/jobs.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
+
+namespace eerie {
+namespace fs = std::filesystem;
+
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+std::string last_line(const fs::path& log) {
+  std::error_code ignored;
+  if (!fs::exists(log, ignored)) return "";
+  std::string text = read_file(log);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const std::size_t start = text.rfind('\n');
+  return start == std::string::npos ? text : text.substr(start + 1);
+}
+
+Crashed crash(const JobDirectory& directory, const WorkerEnd& end) {
+  if (end.signal != 0)
+    return {fmt::format("signal {}", end.signal),
+            fmt::format("the worker was ended by signal {} ({}); see {}", end.signal,
+                        ::strsignal(end.signal), directory.log().string())};
+  return {fmt::format("exit {}", end.exit_code),
+          fmt::format("the worker ended with code {}; the last line of {}: {}", end.exit_code,
+                      directory.log().string(), last_line(directory.log()))};
+}
+
+/// A result.json that is there and is no result must not be taken for one, nor be lost.
+void set_aside_bad_result(const JobDirectory& directory) {
+  std::error_code ignored;
+  if (fs::exists(directory.result(), ignored))
+    fs::rename(directory.result(), directory.path / "result.json.unreadable", ignored);
+}
+
+}  // namespace
+
+Verdict judge(const JobDirectory& directory, const std::string& hash,
+              const std::optional<WorkerEnd>& end) {
+  if (auto stored = read_result(directory, hash)) return Finished{std::move(*stored)};
+  set_aside_bad_result(directory);
+  if (auto failure = read_failure(directory)) return Failed{std::move(*failure)};
+  if (!end) return Lost{};
+  // A worker that is told to stop in its first moments has no handler yet and dies of the signal.
+  if (end->exit_code == worker_stopped || end->signal == SIGTERM || end->signal == SIGINT)
+    return Stopped{};
+  return crash(directory, *end);
+}
+
+db::JobState commit(db::Connection& connection, const db::Job& job, const Verdict& verdict,
+                    const std::optional<WorkerEnd>& end, std::optional<double> particle_steps) {
+  db::AttemptEnd row;
+  row.particle_steps = particle_steps;
+  if (end) {
+    row.core_seconds = end->core_seconds;
+    row.peak_memory_bytes = end->peak_memory_bytes;
+  }
+  const auto end_as = [&](db::ExitReason reason, std::string kind, std::string message,
+                          db::JobState next) {
+    row.reason = reason;
+    row.failure_kind = std::move(kind);
+    row.message = std::move(message);
+    db::end_attempt(connection, job.id, row, next);
+    return next;
+  };
+  return std::visit(
+      Overloaded{
+          [&](const Finished& v) {
+            row.reason = db::ExitReason::finished;
+            row.particle_steps = v.stored.result.particle_steps;
+            db::finish(connection, job.id, row, v.stored.result, v.stored.remnants);
+            return db::JobState::done;
+          },
+          [&](const Failed& v) {
+            return end_as(db::ExitReason::failed, v.failure.kind,
+                          fmt::format("step {}: {}", v.failure.step, v.failure.message),
+                          db::JobState::failed);
+          },
+          [&](const Stopped&) {
+            return end_as(db::ExitReason::stopped, "", "", db::JobState::pending);
+          },
+          [&](const Crashed& v) {
+            const bool last = job.crashes + 1 >= max_crashes;
+            return end_as(db::ExitReason::crashed, v.kind, v.message,
+                          last ? db::JobState::failed : db::JobState::pending);
+          },
+          [&](const Lost&) { return end_as(db::ExitReason::lost, "", "", db::JobState::pending); },
+      },
+      verdict);
+}
+
+}  // namespace eerie

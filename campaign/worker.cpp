@@ -1,0 +1,133 @@
+#include "campaign/worker.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/spdlog.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "campaign/heartbeat.hpp"
+#include "campaign/history.hpp"
+#include "campaign/job_directory.hpp"
+#include "campaign/json_file.hpp"
+#include "campaign/provenance.hpp"
+#include "campaign/result_file.hpp"
+#include "campaign/signals.hpp"
+#include "campaign/worker_lock.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
+
+namespace eerie {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A worker whose manager is gone stops: the next manager starts it again from its checkpoint.
+/// Returns false where the manager was gone before this call.
+bool die_with(long parent) {
+  if (parent == 0) return true;
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  return ::getppid() == parent;
+}
+
+void open_log(const JobDirectory& directory) {
+  auto log = spdlog::basic_logger_mt("worker", directory.log().string());
+  log->set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
+  log->flush_on(spdlog::level::info);
+  spdlog::set_default_logger(log);
+}
+
+/// Installs progress.json about once a second of wall time.
+class ProgressWriter {
+ public:
+  explicit ProgressWriter(JobDirectory directory) : directory_(std::move(directory)) {}
+
+  void operator()(const Progress& p) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::seconds(1)) return;
+    last_ = now;
+    const WorkerProgress report{p.time, p.end_time, p.step, p.particle_steps, p.wall_s, ::getpid()};
+    install_text(directory_.progress(), to_json(report).dump());
+  }
+
+ private:
+  JobDirectory directory_;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+int run_job(const JobDirectory& directory, int threads) {
+  const Scene scene = parse_scene(load_json(directory.scene()), directory.scene().string());
+  if (read_result(directory, scene_hash(scene))) {
+    spdlog::info("the result is here already: nothing to do");
+    return static_cast<int>(ExitCode::done);
+  }
+  fs::remove(directory.failure());
+  try {
+    const Computed computed = compute(scene, directory.path, threads, 0, ProgressWriter(directory));
+    if (computed.summary.end != RunEnd::finished) {
+      spdlog::info("stopped at {:.6g} s, step {}: the checkpoint is written",
+                   computed.summary.progress.time, computed.summary.progress.step);
+      return worker_stopped;
+    }
+    install_text(directory.result(),
+                 result_json(scene, computed.summary, computed.analysis).dump(1) + "\n");
+    fs::remove(directory.checkpoint());
+    spdlog::info("done: {} steps in {:.1f} s", computed.summary.progress.step,
+                 computed.summary.progress.wall_s);
+    return static_cast<int>(ExitCode::done);
+  } catch (const NumericalError& error) {
+    spdlog::error("step {}: {}", error.step, error.what());
+    install_text(
+        directory.failure(),
+        to_json(Failure{error.kind, error.step, error.particle_id, error.what()}).dump(1) + "\n");
+    return static_cast<int>(ExitCode::job_failed);
+  }
+}
+
+}  // namespace
+
+Computed compute(const Scene& scene, const fs::path& directory, int threads, long max_steps,
+                 const std::function<void(const Progress&)>& on_progress) {
+  History history(JobDirectory{directory}.history());
+  RunOptions options;
+  options.directory = directory;
+  options.threads = threads;
+  options.max_steps = max_steps;
+  options.on_progress = on_progress;
+  options.on_history = [&](const Snapshot& snapshot) {
+    history.add(snapshot.state.time, analyse(snapshot));
+  };
+  options.stop = [] { return stop_requests() > 0; };
+  Computed computed;
+  computed.summary = run_impact(scene, options);
+  computed.analysis =
+      analyse(computed.summary.last, separated_after_contact(history.rows(), scene.impact.q));
+  return computed;
+}
+
+int run_worker(const WorkerOptions& options) {
+  catch_stop_signals();
+  if (!die_with(options.parent)) return worker_stopped;
+  const JobDirectory directory{options.directory};
+  const WorkerLock lock(directory);
+  open_log(directory);
+  const Provenance source = provenance();
+  spdlog::info("eerie {} ({}) on {}, process {}, {} threads", source.version, source.commit,
+               source.host, ::getpid(), options.threads);
+  const Heartbeat heartbeat(directory.heartbeat());
+  try {
+    return run_job(directory, options.threads);
+  } catch (const std::exception& error) {
+    // Not a verdict on the job: the manager sees the exit code and tries again.
+    spdlog::error("{}", error.what());
+    throw;
+  }
+}
+
+bool worker_alive(const fs::path& directory) { return WorkerLock::held(JobDirectory{directory}); }
+
+}  // namespace eerie

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "campaign/job_directory.hpp"
+
+namespace eerie {
+
+/// Held by the process that works in a job directory, by flock on worker.lock: two never work in
+/// one, and a manager that was restarted sees whether the worker it left behind is still there.
+class WorkerLock {
+ public:
+  /// Throws EnvironmentError where another process works in the directory.
+  explicit WorkerLock(const JobDirectory& directory);
+  ~WorkerLock();
+  WorkerLock(const WorkerLock&) = delete;
+  WorkerLock& operator=(const WorkerLock&) = delete;
+
+  static bool held(const JobDirectory& directory);
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace eerie
