@@ -1,0 +1,41 @@
+# eerie: `make run` does the main job, `make test` proves the build.
+# Both first install the Debian packages that are missing (.ci/packages).
+BUILD ?= build
+JOBS  ?= $(shell nproc)
+
+.PHONY: help run build test bench format tidy clean packages-run packages-test
+
+help:   ## this list
+	@sed -nE 's/^([a-z]+):[^#]*## (.*)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 14
+
+run: build  ## run the first sweep: 15 impacts, a table of outcomes, the b/a map
+	@mkdir -p results
+	@$(BUILD)/eerie run sweeps/first-light.json --db results/first-light.sqlite
+
+build: packages-run $(BUILD)/build.ninja  ## build the program, optimised for this machine
+	@cmake --build $(BUILD) -j $(JOBS) --target eerie -- --quiet
+
+test: packages-test  ## build and run the tests (under 10 minutes on 2 cores)
+	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON
+	@cmake --build $(BUILD) -j $(JOBS)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+bench: packages-test  ## time the stages of a step (Google Benchmark)
+	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_BENCHMARKS=ON
+	@cmake --build $(BUILD) -j $(JOBS) --target eerie_bench
+	@$(BUILD)/tests/bench/eerie_bench
+
+format:  ## lay out the sources with clang-format
+	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+
+tidy: $(BUILD)/build.ninja  ## check the sources with clang-tidy
+	@git ls-files '*.cpp' | grep -v ^tests/ | xargs clang-tidy -p $(BUILD) --quiet
+
+clean:  ## remove what was built; results stay
+	@rm -rf $(BUILD)
+
+$(BUILD)/build.ninja:
+	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=OFF > /dev/null
+
+packages-run packages-test:
+	@.ci/packages $(@:packages-%=%)
