@@ -27,6 +27,7 @@ inline constexpr std::array field_units = {
     FieldUnit{"Accelerations", "of stress and viscosity, without gravity", 0, 1, -2},
     FieldUnit{"DensityRates", "d rho / dt", 1, -3, -1},
     FieldUnit{"StressRates", "d S / dt: xx, yy, zz, xy, xz, yz", 1, -1, -3},
+    FieldUnit{"CorrectionMatrices", "of the corrected gradient: xx, yy, zz, xy, xz, yz", 0, 0, 0},
     FieldUnit{"ListCoordinates", "positions when the neighbour lists were built", 0, 1, 0},
 };
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "analysis/phase_diagram.hpp"
+
+namespace eerie {
+
+/// A figure as gnuplot commands without the terminal line, and its size in points.
+struct FigureScript {
+  double width_pt = 0, height_pt = 0;
+  std::string commands;
+};
+
+/// Lays a map out for one column of a journal (9 cm). The diagram was checked by the caller.
+FigureScript phase_script(const PhaseDiagram& diagram);
+
+}  // namespace eerie
