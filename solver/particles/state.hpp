@@ -29,13 +29,15 @@ struct State {
   std::size_t size() const { return x.size(); }
 };
 
-/// Time derivatives of the state at its last evaluation. Gravity is kicked apart and is not
-/// in dv_dt.
+/// Time derivatives of the state at its last evaluation. dv_dt holds the elastic and frictional
+/// forces; gravity is evaluated less often and apart.
 struct Rates {
   std::vector<Vec3> dv_dt;
   std::vector<double> drho_dt;
   std::vector<SymTensor> dS_dt;
   std::vector<SymTensor> correction;  ///< L, inverse moment matrix of the corrected gradient
+  std::vector<Vec3> g;                ///< gravity when it was last evaluated, m/s^2
+  std::vector<Vec3> dg_dt;            ///< its change since the evaluation before, m/s^3
 };
 
 /// What a run needs, beyond State and Rates, to go on with the same bits: neighbour lists are
@@ -61,6 +63,8 @@ void visit_rates(R& rates, Visit&& visit) {
   visit("DensityRates", rates.drho_dt);
   visit("StressRates", rates.dS_dt);
   visit("CorrectionMatrices", rates.correction);
+  visit("GravityAccelerations", rates.g);
+  visit("GravityRates", rates.dg_dt);
 }
 template <class R, class Visit>
 void visit_restart(R& restart, Visit&& visit) {

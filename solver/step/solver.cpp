@@ -61,11 +61,11 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
     lists_.build(tree_, state_.x);
     evaluate_rates();  // for the correction matrices
     evaluate_rates();
+    evaluate_gravity(0);
   } else {
     tree_.fit(restart.list_x);
     lists_.build(tree_, restart.list_x);
   }
-  evaluate_gravity();
 }
 
 void Solver::cycle(double end_time) {
@@ -74,10 +74,8 @@ void Solver::cycle(double end_time) {
   const auto steps_left = static_cast<long>(std::ceil(left / dt_ * (1 - 1e-12)));
   const long steps = std::min(gravity_interval_, std::max(1L, steps_left));
   if (steps_left <= gravity_interval_) dt_ = left / static_cast<double>(steps);
-  kick_gravity(0.5 * dt_ * static_cast<double>(steps));
-  for (long k = 0; k < steps; ++k) step();
-  evaluate_gravity();
-  kick_gravity(0.5 * dt_ * static_cast<double>(steps));
+  for (since_gravity_ = 0; since_gravity_ < steps;) step();
+  evaluate_gravity(dt_ * static_cast<double>(steps));
 }
 
 void Solver::step() {
@@ -87,6 +85,7 @@ void Solver::step() {
   final_kick();
   state_.time += dt_;
   ++state_.step;
+  ++since_gravity_;
 }
 
 void Solver::evaluate_rates() {
@@ -98,10 +97,10 @@ void Solver::evaluate_rates() {
 /// other half of the prediction is added on the fly where rates are evaluated.
 void Solver::kick_and_drift() {
   const StageTimer timer(stages_, Stage::integrate);
-  const double half = 0.5 * dt_;
+  const double half = 0.5 * dt_, age = gravity_age();
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < state_.size(); ++i) {
-    state_.v[i] += half * rates_.dv_dt[i];
+    state_.v[i] += half * (rates_.dv_dt[i] + gravity(i, age));
     state_.x[i] += dt_ * state_.v[i];
     state_.rho[i] += half * rates_.drho_dt[i];
     state_.S[i] += half * rates_.dS_dt[i];
@@ -132,7 +131,7 @@ void Solver::reorder() {
 /// Pressure, sound speed and yielded stress of the predicted state; the rows for pair sums.
 void Solver::predict_material() {
   const StageTimer timer(stages_, Stage::material);
-  const double half = 0.5 * dt_;
+  const double half = 0.5 * dt_, age = gravity_age();
   std::size_t offender = nobody;
   std::visit(
       [&](auto& sums, const auto& eos, const auto& rheology) {
@@ -148,7 +147,7 @@ void Solver::predict_material() {
             const double p = rheology.pressure(point.p);
             pressure_[i] = p;
             S_predicted_[i] = rheology.yielded(state_.S[i] + half * rates_.dS_dt[i], p);
-            const Vec3 v = state_.v[i] + half * rates_.dv_dt[i];
+            const Vec3 v = state_.v[i] + half * (rates_.dv_dt[i] + gravity(i, age));
             sums.rows.set(i, state_.x[i], v, state_.mass / rho, rho, point.c);
             // The dual of the corrected gradient, T = -p 1 + S L; L is one step old (it follows
             // the arrangement of the neighbours, which hardly moves in a step).
@@ -184,13 +183,13 @@ void Solver::sum_over_neighbours() {
 /// The other half with the new rates; the stress returns to the yield surface.
 void Solver::final_kick() {
   const StageTimer timer(stages_, Stage::integrate);
-  const double half = 0.5 * dt_;
+  const double half = 0.5 * dt_, age = gravity_age() + dt_;
   std::size_t offender = nobody;
   std::visit(
       [&](const auto& rheology) {
 #pragma omp parallel for schedule(static) reduction(min : offender)
         for (std::size_t i = 0; i < state_.size(); ++i) {
-          state_.v[i] += half * rates_.dv_dt[i];
+          state_.v[i] += half * (rates_.dv_dt[i] + gravity(i, age));
           state_.rho[i] += half * rates_.drho_dt[i];
           state_.S[i] = rheology.yielded(state_.S[i] + half * rates_.dS_dt[i], pressure_[i]);
           if (!is_finite(state_.v[i]) || !std::isfinite(trace(state_.S[i]) + state_.rho[i]))
@@ -201,16 +200,16 @@ void Solver::final_kick() {
   check(offender, "not-finite");
 }
 
-void Solver::kick_gravity(double dt) {
-  const StageTimer timer(stages_, Stage::integrate);
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < state_.size(); ++i) state_.v[i] += dt * g_[i];
-}
-
-void Solver::evaluate_gravity() {
+/// Gravity anew, and its rate from the evaluation `elapsed` seconds ago (0: there was none).
+/// Between evaluations it goes on linearly. Holding it constant would twist every spinning body;
+/// kicking it in lumps would shake a resting one, so that viscosity, not friction, carries it.
+void Solver::evaluate_gravity(double elapsed) {
   const StageTimer timer(stages_, Stage::gravity);
   tree_.fit(state_.x);
-  gravity_.accelerations(tree_, state_.x, g_);
+  const std::vector<Vec3> before = rates_.g;
+  gravity_.accelerations(tree_, state_.x, rates_.g);
+  for (std::size_t i = 0; i < state_.size(); ++i)
+    rates_.dg_dt[i] = elapsed > 0 ? (rates_.g[i] - before[i]) / elapsed : Vec3{};
 }
 
 /// dt = cfl h/(c_l + h |div v|) with the longitudinal wave c_l^2 = c^2 + 4G/(3 rho), and

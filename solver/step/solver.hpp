@@ -16,10 +16,10 @@ namespace eerie {
 
 /// Integrates one State. Equations and scheme: docs/equations.md.
 ///
-/// Elastic-frictional forces advance by a predictor-corrector leapfrog with one evaluation per
-/// step; gravity is kicked every `gravity_interval` steps (reversible multiple time stepping:
-/// half a kick, n steps, half a kick). A *cycle* is such a group of steps with one dt; runs are
-/// interrupted only between cycles.
+/// A predictor-corrector leapfrog with one evaluation of the elastic and frictional forces per
+/// step. Gravity is evaluated every `gravity_interval` steps and extrapolated linearly in
+/// between. A *cycle* is such a group of steps with one dt; runs are interrupted only between
+/// cycles.
 class Solver {
  public:
   /// Takes the state, sorts it into memory order and evaluates its first rates.
@@ -57,8 +57,9 @@ class Solver {
   void predict_material();
   void sum_over_neighbours();
   void final_kick();
-  void kick_gravity(double dt);
-  void evaluate_gravity();
+  void evaluate_gravity(double elapsed);
+  double gravity_age() const { return dt_ * static_cast<double>(since_gravity_); }
+  Vec3 gravity(std::size_t i, double age) const { return rates_.g[i] + age * rates_.dg_dt[i]; }
   double time_step() const;
   void check(std::size_t offender, const char* kind) const;
 
@@ -69,11 +70,11 @@ class Solver {
   Gravity gravity_;
   NeighbourList lists_;
   KdTree tree_;
-  std::vector<Vec3> g_;                 ///< gravity at the end of the last cycle
   std::vector<SymTensor> S_predicted_;  ///< yielded, at the time of the rates
   std::vector<double> pressure_;        ///< at the time of the rates
   double cfl_;
   long gravity_interval_;
+  long since_gravity_ = 0;  ///< steps since gravity was evaluated
   double dt_ = 0;
   long list_builds_ = 0;
   StageTimes stages_;
