@@ -13,13 +13,6 @@ namespace eerie {
 
 namespace {
 
-const FieldUnit& unit_of(std::string_view name) {
-  const auto* unit = std::ranges::find(field_units, name, &FieldUnit::name);
-  if (unit == field_units.end())
-    throw std::logic_error(fmt::format("field '{}' has no row in solver/io/units.hpp", name));
-  return *unit;
-}
-
 void write_unit_attributes(hid_t dataset, const FieldUnit& unit) {
   // 1 kg = 1e3 g, 1 m = 1e2 cm.
   const double cgs = std::pow(1e3, unit.mass) * std::pow(1e2, unit.length);
@@ -95,8 +88,8 @@ void write_settings(hid_t file) {
 
 template <class T>
 void write_field(hid_t group, const char* name, std::span<const T> data) {
-  const FieldUnit& unit = unit_of(name);
-  write_unit_attributes(h5::write_array(group, name, data), unit);
+  const h5::Handle dataset = h5::write_array(group, name, data);
+  if (const FieldUnit* unit = unit_of(name)) write_unit_attributes(dataset, *unit);
 }
 template void write_field(hid_t, const char*, std::span<const std::uint8_t>);
 template void write_field(hid_t, const char*, std::span<const std::uint32_t>);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -11,7 +12,8 @@ struct FieldUnit {
   int mass, length, time;
 };
 
-/// One row for each dataset that a snapshot can hold; writing one that is not here is an error.
+/// One row for each dataset that a snapshot can hold. A field without one is saved all the same,
+/// without unit attributes; a test sees to it that none is missing.
 inline constexpr std::array field_units = {
     FieldUnit{"ParticleIDs", "0..N-1, fixed for the whole run", 0, 0, 0},
     FieldUnit{"BodyIDs", "0: from the target, 1: from the impactor", 0, 0, 0},
@@ -28,7 +30,15 @@ inline constexpr std::array field_units = {
     FieldUnit{"DensityRates", "d rho / dt", 1, -3, -1},
     FieldUnit{"StressRates", "d S / dt: xx, yy, zz, xy, xz, yz", 1, -1, -3},
     FieldUnit{"CorrectionMatrices", "of the corrected gradient: xx, yy, zz, xy, xz, yz", 0, 0, 0},
+    FieldUnit{"GravityAccelerations", "of self-gravity at its last evaluation", 0, 1, -2},
+    FieldUnit{"GravityRates", "d g / dt at its last evaluation", 0, 1, -3},
     FieldUnit{"ListCoordinates", "positions when the neighbour lists were built", 0, 1, 0},
 };
+
+/// The row of a dataset, or nullptr.
+constexpr const FieldUnit* unit_of(std::string_view name) {
+  const auto* row = std::ranges::find(field_units, name, &FieldUnit::name);
+  return row == field_units.end() ? nullptr : row;
+}
 
 }  // namespace eerie

@@ -6,6 +6,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
+#include "solver/io/units.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
 namespace eerie {
@@ -108,6 +109,16 @@ TEST(Snapshot, UnphysicalContentIsRefusedWithItsName) {
 TEST(Snapshot, SceneInsideIsValidated) {
   EXPECT_THAT(refusal_of([](Snapshot& s) { s.scene.impact.q = 2; }),
               testing::AllOf(HasSubstr("impact.q"), HasSubstr("not a usable snapshot")));
+}
+
+TEST(Snapshot, EveryFieldOfTheTablesHasItsUnit) {
+  Snapshot snapshot = random_snapshot(200);
+  const auto has_unit = [](const char* name, const auto&) {
+    EXPECT_NE(unit_of(name), nullptr) << name << " has no row in solver/io/units.hpp";
+  };
+  visit_state(snapshot.state, has_unit);
+  visit_rates(snapshot.rates.value(), has_unit);
+  visit_restart(snapshot.restart.value(), has_unit);
 }
 
 TEST(Snapshot, MissingFileIsNamed) {
