@@ -87,6 +87,9 @@ Handle memory_access() {
   require(H5Pset_fapl_core(access, std::size_t{1} << 20, false), "file in memory");
   // Only the newest format has a checksum on every piece of metadata.
   require(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "format version");
+  // No space set aside for later: the file ends where its content ends.
+  require(H5Pset_meta_block_size(access, 0), "file in memory");
+  require(H5Pset_small_data_block_size(access, 0), "file in memory");
   return access;
 }
 

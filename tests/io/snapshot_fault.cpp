@@ -59,6 +59,16 @@ TEST_F(SnapshotFile, TruncatedAnywhereIsRefused) {
     EXPECT_EQ(read_back(bytes_.substr(0, length)), Outcome::refused) << length;
 }
 
+TEST_F(SnapshotFile, LastByteIsNeverSpare) {
+  for (std::size_t n = 100; n < 130; ++n) {
+    snapshot_ = random_snapshot(n, n % 2 == 0);
+    write_snapshot(path_, snapshot_);
+    const std::string bytes = read_file(path_);
+    EXPECT_EQ(read_back(bytes), Outcome::same) << n;
+    EXPECT_EQ(read_back(bytes.substr(0, bytes.size() - 1)), Outcome::refused) << n;
+  }
+}
+
 TEST_F(SnapshotFile, FlippedBitIsRefusedOrChangesNothing) {
   int refused = 0;
   int tried = 0;
