@@ -72,7 +72,9 @@ std::vector<fs::path> draw_sweep_maps(const db::Connection& connection, std::int
   if (newest == 0) return {};
   std::vector<fs::path> pictures;
   for (const PhaseDiagram& diagram : diagrams) {
-    std::string stem = connection.path().stem().string() + "-" + sweep_name;
+    std::string stem = connection.path().stem().string();
+    if (stem != sweep_name) stem += "-" + sweep_name;
+    stem += "-b-over-a";
     if (diagrams.size() > 1) stem += "-" + label(diagram);
     for (const char* extension : {".png", ".svg"}) {
       pictures.push_back(connection.path().parent_path() / (stem + extension));

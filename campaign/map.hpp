@@ -13,7 +13,8 @@ namespace eerie {
 std::vector<PhaseDiagram> phase_diagrams(const db::Connection& connection,
                                          const db::MapFilter& filter);
 
-/// The pictures of a sweep beside its database, "<database>-<sweep>[-q..-phi..].png" and ".svg".
+/// The pictures of a sweep beside its database, "<database>-<sweep>-b-over-a.png" and ".svg" (the
+/// sweep only where it has another name; "-q1-phi40-n5000" behind where it has several maps).
 /// Draws those that are missing or older than the newest result. Returns their paths.
 std::vector<std::filesystem::path> draw_sweep_maps(const db::Connection& connection,
                                                    std::int64_t sweep,

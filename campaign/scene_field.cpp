@@ -48,12 +48,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// How far `given` is from a path: people misspell whole paths, or forget all but the last part.
+/// How far `given` is from a path: people misspell whole paths, forget all but the last part, or
+/// shorten that.
 std::size_t distance(const std::string& given, const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  const std::size_t last =
-      dot == std::string::npos ? path.size() : edit_distance(given, path.substr(dot + 1));
-  return std::min(edit_distance(given, path), last);
+  const std::string last = path.substr(path.rfind('.') + 1);
+  if (given.size() > 2 && last.find(given) != std::string::npos) return 1;
+  return std::min(edit_distance(given, path), edit_distance(given, last));
 }
 
 std::string closest_fields(const std::string& given) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <signal.h>
-#include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/spdlog.h>
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -14,6 +13,7 @@
 #include "campaign/history.hpp"
 #include "campaign/job_directory.hpp"
 #include "campaign/json_file.hpp"
+#include "campaign/log.hpp"
 #include "campaign/provenance.hpp"
 #include "campaign/result_file.hpp"
 #include "campaign/signals.hpp"
@@ -32,13 +32,6 @@ bool die_with(long parent) {
   if (parent == 0) return true;
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   return ::getppid() == parent;
-}
-
-void open_log(const JobDirectory& directory) {
-  auto log = spdlog::basic_logger_mt("worker", directory.log().string());
-  log->set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
-  log->flush_on(spdlog::level::info);
-  spdlog::set_default_logger(log);
 }
 
 /// Installs progress.json about once a second of wall time.
@@ -102,6 +95,7 @@ Computed compute(const Scene& scene, const fs::path& directory, int threads, lon
     history.add(snapshot.state.time, analyse(snapshot));
   };
   options.stop = [] { return stop_requests() > 0; };
+  options.on_note = [](const std::string& note) { spdlog::info("{}", note); };
   Computed computed;
   computed.summary = run_impact(scene, options);
   computed.analysis =

@@ -26,8 +26,8 @@ AddedSweep add_sweep(Connection& connection, const std::string& name, const std:
 std::size_t count_unknown(const Connection& connection, std::span<const NewJob> jobs);
 
 struct JobFilter {
-  std::optional<std::int64_t> sweep;
-  std::optional<JobState> state;
+  std::optional<std::int64_t> sweep = {};
+  std::optional<JobState> state = {};
 };
 
 /// Jobs in the order in which they are to be run: by priority, then the longest first, so that

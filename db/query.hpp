@@ -17,10 +17,10 @@ struct Range {
 
 /// Conditions on results; an empty one holds for every result.
 struct ResultFilter {
-  std::optional<std::int64_t> sweep;
-  std::optional<double> q, phi_d_deg;
-  std::optional<Range> v_imp_cm_per_s, theta_imp_deg;
-  std::optional<std::string> outcome_class;
+  std::optional<std::int64_t> sweep = {};
+  std::optional<double> q = {}, phi_d_deg = {};
+  std::optional<Range> v_imp_cm_per_s = {}, theta_imp_deg = {};
+  std::optional<std::string> outcome_class = {};
   bool eer_only = false;  ///< at least one remnant is extremely elongated
 };
 
@@ -43,16 +43,16 @@ struct MapPoint {
   double q = 0, phi_d_deg = 0, v_imp_cm_per_s = 0, theta_imp_deg = 0, v_over_v_esc = 0;
   std::int64_t particles_per_target = 0;
   std::int64_t jobs = 0, done = 0, failed = 0;
-  std::optional<double> b_over_a;  ///< mean over the finished jobs
-  std::string outcome_class;       ///< of most of them
-  bool eer = false;                ///< at least half of them made an EER
-  bool settled = true;             ///< all of them
+  std::optional<double> b_over_a = {};  ///< mean over the finished jobs
+  std::string outcome_class = {};       ///< of most of them
+  bool eer = false;                     ///< at least half of them made an EER
+  bool settled = true;                  ///< all of them
 };
 
 struct MapFilter {
-  std::optional<std::int64_t> sweep;
-  std::optional<double> q, phi_d_deg;
-  std::optional<std::int64_t> particles_per_target;
+  std::optional<std::int64_t> sweep = {};
+  std::optional<double> q = {}, phi_d_deg = {};
+  std::optional<std::int64_t> particles_per_target = {};
 };
 
 /// Ordered by q, phi_d, particles, then v_imp and theta_imp.

@@ -42,24 +42,24 @@ inline constexpr std::array<std::string_view, 5> exit_reason_names = {"finished"
 struct AttemptEnd {
   ExitReason reason = ExitReason::lost;
   std::string failure_kind, message;
-  std::optional<double> core_seconds, particle_steps;
-  std::optional<std::int64_t> peak_memory_bytes;
+  std::optional<double> core_seconds = {}, particle_steps = {};
+  std::optional<std::int64_t> peak_memory_bytes = {};
 };
 
 /// A row of `job_results`.
 struct Result {
-  std::string outcome_class;
+  std::string outcome_class = {};
   double m_lr_over_m_total = 0, m_slr_over_m_total = 0;
-  std::optional<double> b_over_a, c_over_a, period_h;
+  std::optional<double> b_over_a = {}, c_over_a = {}, period_h = {};
   bool eer = false;
   int n_eer = 0, n_remnants = 0;
   bool settled = false;
-  std::string unsettled_reason;
-  std::optional<double> dL_over_L;
+  std::string unsettled_reason = {};
+  std::optional<double> dL_over_L = {};
   std::int64_t steps = 0;
   double particle_steps = 0, wall_s = 0;
   int threads = 1;
-  std::string solver_version, host;
+  std::string solver_version = {}, host = {};
 };
 
 /// A row of `job_remnants`.
@@ -67,12 +67,14 @@ struct Remnant {
   int rank = 0;
   std::int64_t particles = 0;
   double mass_kg = 0, mass_over_total = 0;
-  std::optional<double> a_m, b_m, c_m, b_over_a, c_over_a, spin_period_h;
+  std::optional<double> a_m = {}, b_m = {}, c_m = {}, b_over_a = {}, c_over_a = {},
+                        spin_period_h = {};
   bool eer = false;
-  std::optional<double> target_fraction;
-  std::optional<std::int64_t> bound_group;
-  std::optional<double> bound_mass_over_total;
-  std::optional<double> x_m, y_m, z_m, vx_m_per_s, vy_m_per_s, vz_m_per_s;
+  std::optional<double> target_fraction = {};
+  std::optional<std::int64_t> bound_group = {};
+  std::optional<double> bound_mass_over_total = {};
+  std::optional<double> x_m = {}, y_m = {}, z_m = {}, vx_m_per_s = {}, vy_m_per_s = {},
+                        vz_m_per_s = {};
 };
 
 }  // namespace eerie::db

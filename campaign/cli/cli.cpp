@@ -162,6 +162,17 @@ constexpr Command commands[] = {
     {"worker", "Run the job of a directory", nullptr, add_worker},
 };
 
+/// CLI11 only says that a command is required; this says what is wrong with the word given.
+void require_command(int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const Command& command : commands) {
+    if (std::string_view(command.name) == argv[1]) return;
+    if (command.examples != nullptr) names += std::string(names.empty() ? "" : ", ") + command.name;
+  }
+  throw InputError(fmt::format("there is no command \"{}\"; the commands are {}", argv[1], names));
+}
+
 int complain(const char* text, ExitCode code) {
   fmt::print(stderr, "eerie: {}\n", text);
   return static_cast<int>(code);
@@ -189,6 +200,7 @@ int main(int argc, char** argv) {
     sub->callback([&chosen, action = command.add(*sub)] { chosen = action; });
   }
   try {
+    require_command(argc, argv);
     app.parse(argc, argv);
     return chosen();
   } catch (const CLI::ParseError& error) {

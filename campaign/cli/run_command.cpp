@@ -24,6 +24,15 @@ namespace {
 
 constexpr int stopped_by_signal = 130;  // 128 + SIGINT, as shells expect
 
+void make_folder_of(const fs::path& file) {
+  if (!file.has_parent_path()) return;
+  std::error_code problem;
+  fs::create_directories(file.parent_path(), problem);
+  if (problem)
+    throw EnvironmentError(fmt::format("cannot make the folder {}: {}; give another file to --db",
+                                       file.parent_path().string(), problem.message()));
+}
+
 void work(db::Connection& connection, const RunArguments& a, std::int64_t sweep) {
   const auto cores = static_cast<int>(usable_cores());
   const int workers = a.workers > 0 ? a.workers : std::max(1, cores / a.threads_per_job);
@@ -108,6 +117,7 @@ int run(const RunArguments& a) {
   const std::vector<db::NewJob> jobs = jobs_of(sweep);
   catch_stop_signals();
   hold_signals();
+  make_folder_of(a.database);
   const db::Lock lock(a.database);
   db::Connection connection(a.database, db::Access::write);
   const db::AddedSweep added = db::add_sweep(connection, sweep.name, document(sweep), jobs);

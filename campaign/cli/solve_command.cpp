@@ -11,6 +11,7 @@
 #include "campaign/job_directory.hpp"
 #include "campaign/json_file.hpp"
 #include "campaign/local_processes.hpp"
+#include "campaign/log.hpp"
 #include "campaign/result_file.hpp"
 #include "campaign/scene_field.hpp"
 #include "campaign/signals.hpp"
@@ -58,17 +59,24 @@ double particle_steps_here(const RunSummary& s) {
   return s.steps_here * static_cast<double>(s.last.state.size());
 }
 
+/// Of the stepping alone: the making of the bodies happens once, however long the run.
+double rate_per_core(const RunSummary& s) {
+  return s.stages.total() > 0 ? particle_steps_here(s) / (s.stages.total() * s.threads) : 0;
+}
+
 void print_cost(const RunSummary& s) {
-  const double rate = particle_steps_here(s) / (s.progress.wall_s * s.threads);
-  fmt::print("{} steps to {:.6g} s, {} particle-steps in {} on {} threads\n", s.progress.step,
-             s.progress.time, magnitude(s.progress.particle_steps), duration(s.progress.wall_s),
-             s.threads);
-  fmt::print("{} particle-steps per second and core\n\n", magnitude(rate));
+  fmt::print("{} steps to {:.6g} s, {} particle-steps; {:.0f} steps here in {} on {} threads\n",
+             s.progress.step, s.progress.time, magnitude(s.progress.particle_steps), s.steps_here,
+             duration(s.progress.wall_s), s.threads);
+  fmt::print("{} particle-steps per second and core\n\n", magnitude(rate_per_core(s)));
   std::vector<std::vector<std::string>> rows = {{"stage", "s", "%"}};
-  for (std::size_t i = 0; i < stage_count; ++i)
-    rows.push_back(
-        {std::string(stage_names[i]), fmt::format("{:.2f}", s.stages.seconds[i]),
-         fmt::format("{:.1f}", 100 * s.stages.seconds[i] / std::max(s.stages.total(), 1e-9))});
+  const double wall = std::max(s.progress.wall_s, s.stages.total());
+  const auto add = [&](std::string_view name, double seconds) {
+    rows.push_back({std::string(name), fmt::format("{:.2f}", seconds),
+                    fmt::format("{:.1f}", wall > 0 ? 100 * seconds / wall : 0)});
+  };
+  for (std::size_t i = 0; i < stage_count; ++i) add(stage_names[i], s.stages.seconds[i]);
+  add("making the bodies", wall - s.stages.total());
   fmt::print("{}\n", text_table(rows));
 }
 
@@ -85,6 +93,7 @@ int solve(const SolveArguments& a) {
   const JobDirectory directory{a.directory};
   const WorkerLock lock(directory);
   install_text(directory.scene(), to_json(scene).dump(1) + "\n");
+  open_log(directory);
   const int threads = a.threads > 0 ? a.threads : static_cast<int>(usable_cores());
   StepLine line;
   const Computed computed = compute(scene, a.directory, threads, a.max_steps, std::ref(line));
@@ -96,8 +105,7 @@ int solve(const SolveArguments& a) {
   if (a.json) {
     json report = result_json(scene, summary, computed.analysis);
     report["finished"] = finished;
-    report["run"]["particle_steps_per_core_second"] =
-        particle_steps_here(summary) / (summary.progress.wall_s * summary.threads);
+    report["run"]["particle_steps_per_core_second"] = rate_per_core(summary);
     fmt::print("{}\n", report.dump(1));
   } else {
     print_cost(summary);
