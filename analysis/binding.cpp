@@ -1,6 +1,7 @@
 #include "analysis/binding.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/base/constants.hpp"
 
@@ -36,8 +37,12 @@ class Grouping {
     g.sum = g.members.empty() ? c : together(g.sum, c);
     g.members.push_back(clump);
     taken_[clump] = true;
-    for (std::size_t k = 0; k < clumps_.size(); ++k)
-      if (!taken_[k]) potentials_[group][k] -= newton_G * c.mass / norm(clumps_[k].x - c.x);
+    std::vector<double>& potential = potentials_[group];
+#pragma omp simd
+    for (std::size_t k = 0; k < clumps_.size(); ++k) {
+      const double r2 = norm2(clumps_[k].x - c.x);
+      potential[k] -= r2 > 0 ? newton_G * c.mass / std::sqrt(r2) : 0;
+    }
   }
 
   std::vector<BoundGroup> finish() {
@@ -50,7 +55,7 @@ class Grouping {
   std::span<const PointMass> clumps_;
   std::vector<bool> taken_;
   std::vector<BoundGroup> groups_;
-  std::vector<std::vector<double>> potentials_;  ///< [group][clump], kept for clumps not taken
+  std::vector<std::vector<double>> potentials_;  ///< [group][clump], without a clump's own
 };
 
 /// Free clumps in [first, last) join the group that holds them most tightly among those from

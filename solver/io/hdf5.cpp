@@ -12,7 +12,7 @@ namespace eerie::h5 {
 namespace {
 
 constexpr hsize_t chunk_rows = 16384;  ///< 128 kB of one number, 768 kB of a tensor
-constexpr unsigned gzip_level = 4;
+constexpr unsigned gzip_level = 1;
 /// Deflate cannot shrink further than about 1 : 1030; shapes that claim more are not real.
 constexpr hsize_t most_compression = 1100;
 

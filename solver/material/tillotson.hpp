@@ -54,9 +54,10 @@ class Tillotson {
   };
 
   EosPoint point(const Slope& s, double rho) const {
-    // A floor of a tenth of the cold speed where the law itself is not hyperbolic (far expanded).
+    // Never below the speed of the uncompressed cold material: the slope of the expanded law, which
+    // falls to zero at half density, says nothing about loose rubble (decisions.md, 10).
     const double c2 = s.dp_drho + s.p / (rho * rho) * s.dp_du;
-    return {s.p, std::sqrt(std::max(c2, 0.01 * k_.A_Pa / rho0_))};
+    return {s.p, std::sqrt(std::max(c2, k_.A_Pa / rho0_))};
   }
 
   /// Compressed or cold states: p = [a + b/w] rho u + A mu + B mu^2, w = u rho0^2/(u0 rho^2) + 1.
