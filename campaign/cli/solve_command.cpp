@@ -65,9 +65,9 @@ double rate_per_core(const RunSummary& s) {
 }
 
 void print_cost(const RunSummary& s) {
-  fmt::print("{} steps to {:.6g} s, {} particle-steps; {:.0f} steps here in {} on {} threads\n",
+  fmt::print("{} steps to {:.6g} s, {} particle-steps; {:.0f} steps here in {} on {} thread{}\n",
              s.progress.step, s.progress.time, magnitude(s.progress.particle_steps), s.steps_here,
-             duration(s.progress.wall_s), s.threads);
+             duration(s.progress.wall_s), s.threads, s.threads == 1 ? "" : "s");
   fmt::print("{} particle-steps per second and core\n\n", magnitude(rate_per_core(s)));
   std::vector<std::vector<std::string>> rows = {{"stage", "s", "%"}};
   const double wall = std::max(s.progress.wall_s, s.stages.total());
@@ -111,6 +111,9 @@ int solve(const SolveArguments& a) {
     print_cost(summary);
     fmt::print("{}", outcome_text(computed.analysis));
   }
+  if (summary.end == RunEnd::step_limit && !a.json)
+    fmt::print("\nstopped after --max-steps {}; the same command goes on from there\n",
+               a.max_steps);
   if (summary.end == RunEnd::stopped) {
     fmt::print(stderr, "stopped; the same command goes on from the checkpoint\n");
     return 130;
