@@ -122,6 +122,4 @@ int run_worker(const WorkerOptions& options) {
   }
 }
 
-bool worker_alive(const fs::path& directory) { return WorkerLock::held(JobDirectory{directory}); }
-
 }  // namespace eerie

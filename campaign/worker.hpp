@@ -29,7 +29,4 @@ struct Computed {
 Computed compute(const Scene& scene, const std::filesystem::path& directory, int threads,
                  long max_steps, const std::function<void(const Progress&)>& on_progress);
 
-/// Whether some process works in the directory now.
-bool worker_alive(const std::filesystem::path& directory);
-
 }  // namespace eerie

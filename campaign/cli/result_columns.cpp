@@ -104,7 +104,7 @@ std::string legend(const std::vector<ResultRow>& rows) {
     text += "+  a smaller remnant is extremely elongated\n";
   if (any([](const ResultRow& r) { return !r.result.settled; }))
     text += "~  not settled at the end: remnants will meet again; a later end.time_s tells\n";
-  return text;
+  return text.empty() ? "" : "\n" + text;
 }
 
 }  // namespace
