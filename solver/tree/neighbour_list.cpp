@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/base/error.hpp"
@@ -25,7 +26,9 @@ struct Local {
 struct Builder {
   const KdTree& tree;
   const std::vector<Vec3>& x;
-  double radius;
+  std::size_t loose_neighbours;
+  double support, radius, far_radius;
+  std::vector<float>& slack;
   Local local;
   std::vector<std::uint32_t> stack;
   std::vector<std::uint16_t> found;
@@ -51,7 +54,8 @@ struct Builder {
 
   void build(std::uint32_t bucket, BucketList& list) {
     const auto first = static_cast<std::uint32_t>(bucket * bucket_size);
-    const auto last = static_cast<std::uint32_t>(std::min<std::size_t>(first + bucket_size, x.size()));
+    const auto last =
+        static_cast<std::uint32_t>(std::min<std::size_t>(first + bucket_size, x.size()));
     Box box;
     for (std::uint32_t i = first; i < last; ++i) box.include(x[i]);
     list.rows.clear();
@@ -59,22 +63,25 @@ struct Builder {
     for (std::uint32_t i = first; i < last; ++i) list.rows.push_back(i);
     collect(box, bucket, list);
     if (list.rows.size() >= 65535)
-      throw NumericalError("collapse", -1, static_cast<long>(first),
-                           fmt::format("{} particles crowd around one bucket of {}", list.rows.size(),
-                                       bucket_size));
+      throw NumericalError(
+          "collapse", -1, static_cast<long>(first),
+          fmt::format("{} particles crowd around one bucket of {}", list.rows.size(), bucket_size));
     const Vec3 centre = box.centre();
     local.clear();
     for (std::uint32_t j : list.rows) local.push(x[j] - centre);
     while (local.x.size() % lanes<float> != 0) local.push({1e9, 1e9, 1e9});
     for (std::uint32_t k = 0; k < last - first; ++k) {
       list.begin[k] = static_cast<std::uint32_t>(list.index.size());
-      append_neighbours(k, list);
+      const std::size_t neighbours = append_neighbours(k, list);
+      // Bulk particles need no slack of their own: their nearest unlisted one is a skin away.
+      slack[first + k] =
+          neighbours > loose_neighbours ? -1 : unlisted_distance(first + k) - support;
     }
     for (std::size_t k = last - first; k <= bucket_size; ++k)
       list.begin[k] = static_cast<std::uint32_t>(list.index.size());
   }
 
-  void append_neighbours(std::uint32_t k, BucketList& list) {
+  std::size_t append_neighbours(std::uint32_t k, BucketList& list) {
     using P = Pack<float>;
     // Rounding of float positions must not lose a pair: widen the radius by a part in 1e5.
     const auto r2 = static_cast<float>(radius * radius * (1 + 2e-5));
@@ -91,9 +98,31 @@ struct Builder {
       if (l == k / lanes<float> * lanes<float>) distance2[k - l] = 2 * r2;  // not itself
       end = append_less(distance2, r2, static_cast<std::uint16_t>(l), end);
     }
+    const auto neighbours = static_cast<std::size_t>(end - found.data());
     while (static_cast<std::size_t>(end - found.data()) % NeighbourList::padding != 0)
       *end++ = static_cast<std::uint16_t>(list.rows.size());
     list.index.insert(list.index.end(), found.data(), end);
+    return neighbours;
+  }
+
+  /// Distance of particle i to the nearest one beyond the list radius, at most far_radius.
+  float unlisted_distance(std::uint32_t i) {
+    double nearest2 = far_radius * far_radius;
+    stack.assign(1, 0);
+    while (!stack.empty()) {
+      const KdTree::Node& node = tree.nodes[stack.back()];
+      stack.pop_back();
+      if (distance2(node.box, x[i]) >= nearest2) continue;
+      if (node.is_leaf()) {
+        for (std::uint32_t j = node.begin; j < node.end; ++j)
+          if (const double d2 = norm2(x[j] - x[i]); d2 >= radius * radius)
+            nearest2 = std::min(nearest2, d2);
+      } else {
+        stack.push_back(node.right);
+        stack.push_back(node.left);
+      }
+    }
+    return static_cast<float>(std::sqrt(nearest2) * (1 - 1e-6));
   }
 };
 
@@ -102,10 +131,13 @@ struct Builder {
 void NeighbourList::build(const KdTree& tree, const std::vector<Vec3>& x) {
   buckets_.resize(bucket_count(x.size()));
   built_at_ = x;
+  slack_.resize(x.size());
   std::string failure;
 #pragma omp parallel
   {
-    Builder builder{tree, x, support_ + skin_, {}, {}, {}};
+    Builder builder{
+        tree, x, loose_neighbours, support_, support_ + skin_, support_ + sight * skin_, slack_, {},
+        {},   {}};
 #pragma omp for schedule(dynamic, 4)
     for (std::size_t b = 0; b < buckets_.size(); ++b) {
       try {
@@ -117,14 +149,70 @@ void NeighbourList::build(const KdTree& tree, const std::vector<Vec3>& x) {
     }
   }
   if (!failure.empty()) throw NumericalError("collapse", -1, -1, failure);
+  fit_bulk();
 }
 
+void NeighbourList::fit_bulk() {
+  bulk_centre_ = {};
+  bulk_count_ = 0;
+  for (std::size_t i = 0; i < built_at_.size(); ++i)
+    if (is_bulk(i)) bulk_centre_ += built_at_[i], ++bulk_count_;
+  if (bulk_count_ > 0) bulk_centre_ *= 1 / bulk_count_;
+  SymTensor sum;
+  for (std::size_t i = 0; i < built_at_.size(); ++i) {
+    if (!is_bulk(i)) continue;
+    const Vec3 r = built_at_[i] - bulk_centre_;
+    const double r2 = norm2(r);
+    sum += {r2 - r.x * r.x, r2 - r.y * r.y, r2 - r.z * r.z, -r.x * r.y, -r.x * r.z, -r.y * r.z};
+  }
+  const double det = determinant(sum);
+  bulk_inverse_ = det > 0 ? inverse(sum, det) : SymTensor{};
+}
+
+/// Least-squares translation and (small) rotation of the bulk since the lists were built. Sums
+/// run over buckets in order, so every number of threads finds the same.
+NeighbourList::RigidMotion NeighbourList::bulk_motion(const std::vector<Vec3>& x) const {
+  std::vector<RigidMotion> parts(buckets_.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t b = 0; b < buckets_.size(); ++b) {
+    RigidMotion part;
+    for (std::size_t i = b * bucket_size; i < std::min((b + 1) * bucket_size, x.size()); ++i) {
+      if (!is_bulk(i)) continue;
+      const Vec3 moved = x[i] - built_at_[i];
+      part.translation += moved;
+      part.rotation += cross(built_at_[i] - bulk_centre_, moved);
+    }
+    parts[b] = part;
+  }
+  RigidMotion sum;
+  for (const RigidMotion& part : parts)
+    sum.translation += part.translation, sum.rotation += part.rotation;
+  return {sum.translation / std::max(1.0, bulk_count_), to_matrix(bulk_inverse_) * sum.rotation};
+}
+
+/// Two particles that do not list each other were at least support + skin apart. Moving both by
+/// x -> x + D + W x (x - centre) never brings them closer, so what counts is how far each strays
+/// from that motion. For a loose particle, far out where W x r is large, D alone is taken out.
 bool NeighbourList::used_up(const std::vector<Vec3>& x) const {
-  double largest = 0;
-#pragma omp parallel for reduction(max : largest) schedule(static)
-  for (std::size_t i = 0; i < x.size(); ++i)
-    largest = std::max(largest, norm2(x[i] - built_at_[i]));
-  return 2 * std::sqrt(largest) >= skin_;
+  const RigidMotion bulk = bulk_motion(x);
+  double strayed = 0, bulk_moved = 0;
+#pragma omp parallel for reduction(max : strayed, bulk_moved) schedule(static)
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!is_bulk(i)) continue;
+    const Vec3 moved = x[i] - built_at_[i] - bulk.translation;
+    strayed = std::max(strayed, norm2(moved - cross(bulk.rotation, built_at_[i] - bulk_centre_)));
+    bulk_moved = std::max(bulk_moved, norm2(moved));
+  }
+  if (2 * std::sqrt(strayed) >= skin_) return true;
+  bulk_moved = std::sqrt(bulk_moved);
+  bool used = false;
+#pragma omp parallel for reduction(|| : used) schedule(static)
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (is_bulk(i)) continue;
+    const double moved = norm(x[i] - built_at_[i] - bulk.translation);
+    used = used || moved + std::max(moved, bulk_moved) >= static_cast<double>(slack_[i]);
+  }
+  return used;
 }
 
 }  // namespace eerie

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/base/tensor.hpp"
 #include "solver/tree/kd_tree.hpp"
 
 namespace eerie {
@@ -12,14 +13,17 @@ namespace eerie {
 /// of its particles the list of positions in that union. Lists are padded to a multiple of
 /// `padding` with the union's length, the place of a dummy row that contributes nothing.
 struct BucketList {
-  std::vector<std::uint32_t> rows;   ///< particles, by memory index
-  std::vector<std::uint16_t> index;  ///< all lists one after another
+  std::vector<std::uint32_t> rows;                     ///< particles, by memory index
+  std::vector<std::uint16_t> index;                    ///< all lists one after another
   std::array<std::uint32_t, bucket_size + 1> begin{};  ///< list k: index[begin[k]..begin[k+1])
 };
 
 /// Neighbour lists of all buckets with a search radius beyond the support (Verlet skin): they
-/// hold every pair closer than the support until two particles have come closer by the skin.
-/// A pure function of memory order and positions, for any number of threads.
+/// hold every pair closer than the support until an unlisted pair has come closer by the skin.
+/// That is judged relative to the rigid motion of the bulk, so that a settled body that flies
+/// and spins needs no new lists; loose particles with few neighbours are judged by the real
+/// distance to the nearest one that they do not list. All of it is a pure function of memory
+/// order and positions, for any number of threads.
 class NeighbourList {
  public:
   static constexpr std::size_t padding = 16;
@@ -40,9 +44,25 @@ class NeighbourList {
   const std::vector<Vec3>& built_at() const { return built_at_; }
 
  private:
+  /// Up to this many listed neighbours a particle counts as loose, else as bulk.
+  static constexpr std::size_t loose_neighbours = 8;
+  /// How far beyond the support a loose particle looks for unlisted ones, in skins.
+  static constexpr double sight = 16;
+
+  struct RigidMotion {
+    Vec3 translation, rotation;
+  };
+  void fit_bulk();
+  RigidMotion bulk_motion(const std::vector<Vec3>& x) const;
+  bool is_bulk(std::size_t i) const { return slack_[i] < 0; }
+
   double support_, skin_;
   std::vector<BucketList> buckets_;
   std::vector<Vec3> built_at_;
+  std::vector<float> slack_;  ///< of loose particles: way to go before an unlisted pair meets, m
+  Vec3 bulk_centre_;          ///< of the bulk when built
+  SymTensor bulk_inverse_;    ///< (sum r^2 1 - r r)^-1 of the bulk about its centre
+  double bulk_count_ = 0;
 };
 
 }  // namespace eerie
