@@ -3,7 +3,7 @@
 BUILD ?= build
 JOBS  ?= $(shell nproc)
 
-.PHONY: help run build test bench format tidy clean packages-run packages-test
+.PHONY: help run build test validate bench format tidy clean packages-run packages-test
 
 help:   ## this list
 	@sed -nE 's/^([a-z]+):[^#]*## (.*)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 14
@@ -18,7 +18,12 @@ build: packages-run $(BUILD)/build.ninja  ## build the program, optimised for th
 test: packages-test  ## build and run the tests (under 10 minutes on 2 cores)
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON
 	@cmake --build $(BUILD) -j $(JOBS)
-	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE long
+
+validate: packages-test  ## run the long physics: the reference impact at two friction angles
+	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON
+	@cmake --build $(BUILD) -j $(JOBS) --target eerie_long
+	@ctest --test-dir $(BUILD) --verbose -L long
 
 bench: packages-test  ## time the stages of a step (Google Benchmark)
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_BENCHMARKS=ON
