@@ -1,6 +1,7 @@
 #include "analysis/remnants.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/binding.hpp"
 #include "analysis/clumps.hpp"
@@ -9,6 +10,9 @@
 namespace eerie {
 
 namespace {
+
+/// Surface speeds below this part of the particles' speeds are rounding, not spin.
+constexpr double spin_resolution = 1e-9;
 
 std::vector<Vec3> picked(const std::vector<Vec3>& all, const Clump& clump) {
   std::vector<Vec3> some;
@@ -33,7 +37,10 @@ Remnant measure(const State& state, const Clump& clump, const PointMass& centre)
   r.mass_over_total = n / static_cast<double>(state.size());
   const std::vector<Vec3> x = picked(state.x, clump), v = picked(state.v, clump);
   r.shape = ellipsoid_of_inertia(x);
-  if (const auto omega = angular_velocity(x, v); omega && norm(*omega) > 0)
+  double fastest2 = 0;
+  for (const Vec3& speed : v) fastest2 = std::max(fastest2, norm2(speed));
+  if (const auto omega = angular_velocity(x, v);
+      omega && norm(*omega) * r.shape.a > spin_resolution * std::sqrt(fastest2))
     r.spin_period = 2 * pi / norm(*omega);
   r.eer = r.shape.b_over_a() < eer_max_b_over_a;
   const auto from_target = std::ranges::count_if(clump, [&](std::uint32_t i) {

@@ -32,7 +32,8 @@ std::string describe(const Remnant& one, const Remnant& other, const Pair& pair)
     return text + fmt::format(
                       " and will meet in about {:.1f} h (pericentre {:.0f} m, contact at "
                       "{:.0f} m)",
-                      pair.orbit.time_to_pericentre / 3600, pair.orbit.pericentre, pair.contact);
+                      time_to_reach(pair.orbit, pair.contact) / 3600, pair.orbit.pericentre,
+                      pair.contact);
   return text + fmt::format("; their pericentre of {:.0f} m is outside of contact at {:.0f} m",
                             pair.orbit.pericentre, pair.contact);
 }

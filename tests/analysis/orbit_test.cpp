@@ -18,11 +18,13 @@ Orbit orbit_of(const Vec3& r, const Vec3& v) {
   return relative_orbit(one, {m2, one.x + r, one.v + v});
 }
 
-/// Time to pericentre by brute force: leapfrog until the distance grows again.
-double time_by_integration(Vec3 r, Vec3 v, double dt) {
+/// Time to pericentre (or to a distance) by brute force: leapfrog until the distance, once it is
+/// below the 300 m of the start, grows again.
+double time_by_integration(Vec3 r, Vec3 v, double dt, double until_distance = 0) {
   const auto pull = [](const Vec3& x) { return (-mu / cubed(norm(x))) * x; };
   for (double t = 0;; t += dt) {
-    if (dot(r, v) >= 0) return t;
+    if (dot(r, v) >= 0 && t > 0 && norm(r) < 300) return t;
+    if (norm(r) < until_distance) return t;
     v += 0.5 * dt * pull(r);
     r += dt * v;
     v += 0.5 * dt * pull(r);
@@ -65,6 +67,24 @@ TEST(Orbit, TimeToPericentreAgreesWithIntegration) {
     const double wanted = time_by_integration(r, v, 0.01);
     EXPECT_NEAR(orbit.time_to_pericentre, wanted, 1e-3 * wanted) << speed;
   }
+}
+
+TEST(Orbit, TimeToReachADistanceAgreesWithIntegration) {
+  const double v_esc = std::sqrt(2 * mu / 300);
+  for (const double speed : {0.4, 1.0, 3.0}) {
+    const Vec3 r{300, 0, 0}, v = speed * v_esc * Vec3{-0.8, 0.3, 0};
+    const double wanted = time_by_integration(r, v, 0.01, 150);
+    EXPECT_NEAR(time_to_reach(orbit_of(r, v), 150), wanted, 1e-3 * wanted) << speed;
+  }
+  const Vec3 r{300, 0, 0}, outward = 0.7 * v_esc * Vec3{0.8, 0.6, 0};
+  const double there_and_back = time_by_integration(r, outward, 0.05, 200);
+  EXPECT_NEAR(time_to_reach(orbit_of(r, outward), 200), there_and_back, 1e-3 * there_and_back);
+}
+
+TEST(Orbit, DistancesInsideAndOutOfReach) {
+  const Orbit orbit = orbit_of({300, 0, 0}, {0, std::sqrt(mu / 300), 0});
+  EXPECT_EQ(time_to_reach(orbit, 400), 0);
+  EXPECT_TRUE(std::isinf(time_to_reach(orbit, 200)));
 }
 
 TEST(Orbit, RecedingEllipseComesBackAfterTheRestOfItsPeriod) {
