@@ -1,3 +1,7 @@
+// g++ 12 takes the undefined operands of its own AVX-512 headers for faults (GCC bug 105593).
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+
 #include "solver/sph/pair_sums.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +12,6 @@
 #include "solver/sph/stress.hpp"
 #include "tests/support/particles.hpp"
 #include "tests/support/variant_types.hpp"
-#include "tests/support/vector_code.hpp"
 
 namespace eerie {
 namespace {
@@ -184,7 +187,7 @@ double relative_torque(Correction&& correction) {
   for (const Vec3& x : p.x) centre += x / static_cast<double>(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     p.v[i] = {};  // viscosity pulls along the line of a pair and has no torque anyway
-    // On one side alone: over a whole sphere the torques of a uniform stress cancel anyway.
+    // On one side alone: over a whole sphere the torques of a uniform stress nearly cancel.
     p.T[i] = to_matrix(p.x[i].x > centre.x ? S : SymTensor{}) * to_matrix(correction(first[i].C));
     for (int k = 0; k < 3; ++k) p.T[i][k][k] -= 1.5;
   }
@@ -204,7 +207,7 @@ TYPED_TEST(PairSumsTwin, DualForceHasNoTotalTorque) {
   EXPECT_LT(relative_torque<Sums>(correction_matrix), 3 * tolerance<TypeParam>);
   // Without the correction the same sum has a torque: the dual is what takes it away.
   EXPECT_GT(relative_torque<Sums>([](const SymTensor&) { return SymTensor{1, 1, 1, 0, 0, 0}; }),
-            1e-3);
+            1e-4);
 }
 
 TYPED_TEST(PairSumsTwin, FloatFollowsDouble) {

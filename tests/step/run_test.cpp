@@ -1,0 +1,187 @@
+#include "solver/step/run.hpp"
+
+#include <gmock/gmock.h>
+
+#include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
+#include "tests/step/runs.hpp"
+
+namespace eerie {
+namespace {
+
+using test::differences;
+using test::run_in;
+using test::short_impact;
+using test::TemporaryFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// State, rates and lists at the end of an uninterrupted run.
+Snapshot uninterrupted(const Scene& scene) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_in(folder, scene).summary.end, RunEnd::finished);
+  return read_snapshot(folder / "final.hdf5");
+}
+
+TEST(Run, SameBitsForAnyNumberOfThreads) {
+  for (const char* precision : {"float", "double"}) {
+    const Scene scene = short_impact({{"numerics", {{"precision", precision}}}});
+    const Snapshot one = uninterrupted(scene);
+    EXPECT_GT(one.state.step, 200);
+    for (const int threads : {2, 3, 7}) {
+      const TemporaryFolder folder;
+      RunOptions options;
+      options.threads = threads;
+      run_in(folder, scene, options);
+      EXPECT_THAT(differences(read_snapshot(folder / "final.hdf5"), one), IsEmpty())
+          << threads << " threads, " << precision;
+    }
+  }
+}
+
+TEST(Run, SeedAndPrecisionDecideTheBits) {
+  // Guards the tests of equal bits against comparing a thing with itself.
+  const Snapshot one = uninterrupted(short_impact());
+  EXPECT_THAT(differences(one, uninterrupted(short_impact({{"numerics", {{"seed", 2}}}}))),
+              testing::Contains("Coordinates"));
+  EXPECT_THAT(
+      differences(one, uninterrupted(short_impact({{"numerics", {{"precision", "double"}}}}))),
+      testing::Contains("Coordinates"));
+}
+
+TEST(Run, InterruptedBySteplimitEndsWithTheSameBits) {
+  const Scene scene = short_impact();
+  const TemporaryFolder folder;
+  RunOptions options;
+  options.max_steps = 47;  // no multiple of a cycle
+  int parts = 1;
+  while (run_in(folder, scene, options).summary.end == RunEnd::step_limit) ++parts;
+  EXPECT_GE(parts, 4);
+  EXPECT_THAT(differences(read_snapshot(folder / "final.hdf5"), uninterrupted(scene)), IsEmpty());
+}
+
+TEST(Run, StoppedByItsCallerEndsWithTheSameBits) {
+  const Scene scene = short_impact();
+  const TemporaryFolder folder;
+  int asked = 0;
+  RunOptions stopping;
+  stopping.stop = [&] { return ++asked > 13; };
+  EXPECT_EQ(run_in(folder, scene, stopping).summary.end, RunEnd::stopped);
+  const auto told = run_in(folder, scene);
+  EXPECT_EQ(told.summary.end, RunEnd::finished);
+  EXPECT_THAT(told.notes, ElementsAre(HasSubstr("going on from")));
+  EXPECT_THAT(differences(read_snapshot(folder / "final.hdf5"), uninterrupted(scene)), IsEmpty());
+}
+
+TEST(Run, DoneAtOnceWhenStoppedBeforeItsFirstCycle) {
+  const Scene scene = short_impact();
+  const TemporaryFolder folder;
+  RunOptions stopping;
+  stopping.stop = [] { return true; };
+  EXPECT_EQ(run_in(folder, scene, stopping).summary.progress.step, 0);
+  run_in(folder, scene, stopping);  // and again, from the checkpoint
+  run_in(folder, scene);
+  EXPECT_THAT(differences(read_snapshot(folder / "final.hdf5"), uninterrupted(scene)), IsEmpty());
+}
+
+TEST(Run, TotalsOfTheStartSurviveAnInterruption) {
+  const Scene scene = short_impact();
+  const TemporaryFolder whole, parts;
+  const RunSummary one = run_in(whole, scene).summary;
+  RunOptions options;
+  options.max_steps = 100;
+  run_in(parts, scene, options);
+  const RunSummary two = run_in(parts, scene).summary;
+  EXPECT_EQ(two.first_totals.angular_momentum, one.first_totals.angular_momentum);
+  EXPECT_EQ(two.first_totals.potential_energy, one.first_totals.potential_energy);
+  EXPECT_EQ(two.last_totals.kinetic_energy, one.last_totals.kinetic_energy);
+  EXPECT_EQ(two.progress.particle_steps, one.progress.particle_steps);
+  EXPECT_LT(two.steps_here, one.steps_here);
+}
+
+TEST(Run, PassesOverATornCheckpointWithANote) {
+  const Scene scene = short_impact();
+  const TemporaryFolder folder;
+  RunOptions options;
+  options.max_steps = 100;
+  run_in(folder, scene, options);
+  std::filesystem::resize_file(folder / "checkpoint.hdf5",
+                               std::filesystem::file_size(folder / "checkpoint.hdf5") / 2);
+  const auto told = run_in(folder, scene);
+  EXPECT_EQ(told.summary.end, RunEnd::finished);
+  EXPECT_THAT(told.notes,
+              ElementsAre(testing::AllOf(HasSubstr("checkpoint.hdf5"), HasSubstr("passed over"))));
+  EXPECT_THAT(differences(read_snapshot(folder / "final.hdf5"), uninterrupted(scene)), IsEmpty());
+}
+
+TEST(Run, PassesOverTheCheckpointOfAnotherScene) {
+  const TemporaryFolder folder;
+  RunOptions options;
+  options.max_steps = 50;
+  run_in(folder, short_impact({{"numerics", {{"seed", 2}}}}), options);
+  const Scene scene = short_impact();
+  const auto told = run_in(folder, scene);
+  EXPECT_THAT(told.notes, ElementsAre(HasSubstr("belongs to another scene")));
+  EXPECT_THAT(differences(read_snapshot(folder / "final.hdf5"), uninterrupted(scene)), IsEmpty());
+}
+
+TEST(Run, WritesSnapshotsAndHistoryWhenTheyFallDue) {
+  const Scene scene = short_impact({{"output", {{"snapshot_interval_s", 100}}}});
+  const TemporaryFolder folder;
+  const auto told = run_in(folder, scene);
+  const double cycle = told.summary.progress.dt * 10 * 1.5;  // no longer than this
+  for (int n = 0; n < 4; ++n) {
+    const double time =
+        read_snapshot(folder / ("snapshot_000" + std::to_string(n) + ".hdf5").c_str()).state.time;
+    EXPECT_GE(time, 100 * n);
+    EXPECT_LT(time, 100 * n + cycle);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "snapshot_0004.hdf5"));  // that is final.hdf5
+  // Times of steps are added up: rounding.
+  EXPECT_NEAR(read_snapshot(folder / "final.hdf5").state.time, 400, 1e-9);
+  ASSERT_EQ(told.history.size(), 8u);
+  for (std::size_t n = 0; n < 8; ++n) {
+    EXPECT_GE(told.history[n], 50.0 * static_cast<double>(n + 1) * (1 - 1e-12));
+    EXPECT_LT(told.history[n], 50.0 * static_cast<double>(n + 1) + cycle);
+  }
+}
+
+TEST(Run, AnInterruptedRunWritesTheSameSnapshots) {
+  const Scene scene = short_impact({{"output", {{"snapshot_interval_s", 100}}}});
+  const TemporaryFolder whole, parts;
+  run_in(whole, scene);
+  RunOptions options;
+  options.max_steps = 33;
+  while (run_in(parts, scene, options).summary.end != RunEnd::finished) continue;
+  for (const char* name : {"snapshot_0000.hdf5", "snapshot_0001.hdf5", "snapshot_0002.hdf5",
+                           "snapshot_0003.hdf5", "final.hdf5"})
+    EXPECT_EQ(read_file(parts / name), read_file(whole / name)) << name;
+}
+
+TEST(Run, AFinishedRunHasNothingLeftToDo) {
+  const Scene scene = short_impact();
+  const TemporaryFolder folder;
+  run_in(folder, scene);
+  const Snapshot before = read_snapshot(folder / "final.hdf5");
+  const auto told = run_in(folder, scene);
+  EXPECT_EQ(told.summary.end, RunEnd::finished);
+  EXPECT_EQ(told.summary.steps_here, 0);
+  std::vector<std::string> changed = differences(read_snapshot(folder / "final.hdf5"), before);
+  std::erase(changed, "pressure");  // comes with the first step of a process; here there is none
+  EXPECT_THAT(changed, IsEmpty());
+}
+
+TEST(Run, AFolderThatCannotBeMadeIsNamed) {
+  RunOptions options;
+  options.directory = "/proc/eerie/run";
+  try {
+    run_impact(short_impact(), options);
+    FAIL();
+  } catch (const EnvironmentError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/proc/eerie/run"));
+  }
+}
+
+}  // namespace
+}  // namespace eerie
