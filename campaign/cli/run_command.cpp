@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
 
 #include "campaign/cli/commands.hpp"
 #include "campaign/cli/progress_line.hpp"
@@ -30,6 +32,25 @@ void make_folder_of(const fs::path& file) {
   if (problem)
     throw EnvironmentError(fmt::format("cannot make the folder {}: {}; give another file to --db",
                                        file.parent_path().string(), problem.message()));
+}
+
+/// What --map asks for must be possible before hours of work, not after.
+void require_drawable(const std::vector<fs::path>& files, const std::vector<db::NewJob>& jobs) {
+  if (files.empty()) return;
+  for (const fs::path& file : files) {
+    const std::string kind = file.extension().string();
+    if (kind != ".png" && kind != ".svg" && kind != ".pdf")
+      throw InputError(fmt::format("--map {}: must end in .png, .svg or .pdf; for example map.png",
+                                   file.string()));
+  }
+  std::set<std::tuple<double, double, std::int64_t>> maps;
+  for (const db::NewJob& job : jobs) maps.emplace(job.q, job.phi_d_deg, job.particles_per_target);
+  if (maps.size() > 1)
+    throw InputError(
+        fmt::format("--map {}: the sweep makes {} maps (of q, phi_d and particles per target); "
+                    "leave --map out, all "
+                    "of them are drawn beside the database",
+                    files.front().string(), maps.size()));
 }
 
 void work(db::Connection& connection, const RunArguments& a, std::int64_t sweep) {
@@ -114,6 +135,7 @@ void print_report(const db::Connection& connection, const RunArguments& a, std::
 int run(const RunArguments& a) {
   const Sweep sweep = load_sweep(a.sweep, a.overrides);
   const std::vector<db::NewJob> jobs = jobs_of(sweep);
+  require_drawable(a.maps, jobs);
   catch_stop_signals();
   hold_signals();
   make_folder_of(a.database);
@@ -134,12 +156,19 @@ int run(const RunArguments& a) {
   if (before.left > 0) work(connection, a, added.sweep);
 
   const Tally after = tally(connection, added.sweep);
-  const std::vector<fs::path> pictures = draw(connection, a, added.sweep, sweep.name);
+  std::vector<fs::path> pictures;
+  std::string no_pictures;  // why; the outcomes are told all the same
+  try {
+    pictures = draw(connection, a, added.sweep, sweep.name);
+  } catch (const EnvironmentError& error) {
+    no_pictures = error.what();
+  }
   if (a.json)
     fmt::print("{}\n",
                report_json(connection, a, added.sweep, sweep.name, after, pictures).dump(1));
   else
     print_report(connection, a, added.sweep, after, pictures);
+  if (!no_pictures.empty()) throw EnvironmentError(no_pictures);
   if (after.left > 0) {
     fmt::print(stderr, "stopped; the same command goes on from the checkpoints\n");
     return stopped_by_signal;

@@ -99,6 +99,8 @@ TEST_F(Run, RefusesWhatIsWrongOnTheCommandLine) {
       {{"run", "sweep.json", "--workers", "0"}, "--workers"},
       {{"run", "sweep.json", "--workers", "two"}, "--workers"},
       {{"run", "sweep.json", "--set", "numerics.sead=3"}, "numerics.seed"},
+      {{"run", "sweep.json", "--map", "map.gif"}, ".png, .svg or .pdf"},
+      {{"run", "sweep.json", "--map", "m.png", "--set", "numerics.seed=-1"}, "at least 0"},
       {{"query", "--format", "xml"}, "--format"},
       {{"solve", "sweep.json", "--out", "o"}, "there is no such field"},
   };
