@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -93,18 +95,27 @@ std::string first_fault(const json& schema, const json& document, const std::str
   return "";
 }
 
+/// Schemas live as long as the program, so each is compiled once, under its address.
+const valijson::Schema& compiled(const json& schema) {
+  static std::mutex mutex;
+  static std::map<const json*, valijson::Schema> cache;
+  const std::scoped_lock lock(mutex);
+  const auto [entry, fresh] = cache.try_emplace(&schema);
+  if (fresh)
+    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema),
+                                            entry->second);
+  return entry->second;
+}
+
 }  // namespace
 
 void require_valid(const json& schema, const json& document, const std::string& where) {
   if (std::string text = first_fault(schema, document, where); !text.empty()) throw InputError(text);
 
-  valijson::Schema compiled;
-  valijson::SchemaParser parser;
-  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), compiled);
   valijson::Validator validator;
   valijson::ValidationResults results;
   const valijson::adapters::NlohmannJsonAdapter target(document);
-  if (validator.validate(compiled, target, &results)) return;
+  if (validator.validate(compiled(schema), target, &results)) return;
   valijson::ValidationResults::Error error;
   results.popError(error);
   throw InputError(fmt::format("{} {}: {}", where, fmt::join(error.context, ""), error.description));

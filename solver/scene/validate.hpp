@@ -8,6 +8,7 @@ namespace eerie {
 /// Checks `document` against a JSON Schema and throws InputError for the first fault, as
 /// "<where>.impact.q = 2: must be greater than 0 and at most 1 (impactor mass over target mass);
 /// for example 1". Unknown fields are reported with the known ones.
+/// `schema` must live as long as the program (it is compiled once).
 void require_valid(const nlohmann::json& schema, const nlohmann::json& document,
                    const std::string& where);
 
