@@ -27,7 +27,10 @@ Ended reference_impact(double phi_d_deg, double end_time_s) {
   const auto folder =
       std::filesystem::temp_directory_path() / ("eerie-reference-" + std::to_string(::getpid()));
   std::filesystem::remove_all(folder);
-  RunSummary summary = run_impact(scene, {.directory = folder, .threads = omp_get_num_procs()});
+  RunOptions options;
+  options.directory = folder;
+  options.threads = omp_get_num_procs();
+  RunSummary summary = run_impact(scene, options);
   std::filesystem::remove_all(folder);
   return {summary, analyse(summary.last)};
 }
