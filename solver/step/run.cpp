@@ -96,7 +96,8 @@ class Run {
     if (std::optional<Snapshot> saved = resumable()) {
       first_totals_ = initial_totals();
       note(fmt::format("going on from t = {:.0f} s, step {}", saved->state.time, saved->state.step));
-      return Solver(scene_, std::move(saved->state), std::move(*saved->rates), *saved->restart);
+      return Solver(scene_, std::move(saved->state), std::move(*saved->rates), *saved->restart,
+                    std::move(saved->pressure));
     }
     Solver solver(scene_, make_impact(scene_));
     first_totals_ = totals(scene_, solver.state());

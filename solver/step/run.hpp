@@ -47,7 +47,8 @@ struct RunOptions {
 /// Makes the bodies of `scene` and lets them collide, or goes on from `directory`/checkpoint.hdf5
 /// where that holds the same scene (a torn or foreign checkpoint is passed over with a note).
 /// snapshot_0000.hdf5 is the state at time 0; final.hdf5 the last one, itself a checkpoint. The same scene gives the same bits for any number of threads and of interruptions.
-/// Throws NumericalError (after writing last_good.hdf5 where there is one) and EnvironmentError.
+/// Throws NumericalError (the newest snapshot or checkpoint is the last good state) and
+/// EnvironmentError.
 RunSummary run_impact(const Scene& scene, const RunOptions& options);
 
 }  // namespace eerie

@@ -37,9 +37,10 @@ Solver::Sums Solver::make_sums(const Scene& scene) {
 }
 
 Solver::Solver(const Scene& scene, State state)
-    : Solver(scene, std::move(state), Rates{}, Restart{}) {}
+    : Solver(scene, std::move(state), Rates{}, Restart{}, {}) {}
 
-Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& restart)
+Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& restart,
+               std::vector<double> pressure)
     : state_(std::move(state)),
       rates_(std::move(rates)),
       material_(make_material(scene)),
@@ -47,6 +48,7 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
       gravity_({state_.mass, state_.h, scene.numerics.opening_angle}),
       lists_(2 * state_.h, 2 * state_.h * scene.numerics.list_skin),
       tree_(state_.size()),
+      pressure_(std::move(pressure)),
       cfl_(scene.numerics.cfl),
       gravity_interval_(scene.numerics.gravity_interval) {
   const std::size_t n = state_.size();

@@ -24,8 +24,9 @@ class Solver {
  public:
   /// Takes the state, sorts it into memory order and evaluates its first rates.
   Solver(const Scene& scene, State state);
-  /// Goes on from a checkpoint: memory order, lists and rates as they were.
-  Solver(const Scene& scene, State state, Rates rates, const Restart& restart);
+  /// Goes on from a checkpoint: memory order, lists, rates and pressures as they were.
+  Solver(const Scene& scene, State state, Rates rates, const Restart& restart,
+         std::vector<double> pressure);
 
   /// One cycle of gravity_interval steps, shorter where `end_time` is near. Throws
   /// NumericalError when the state stops being physical.

@@ -88,7 +88,7 @@ struct Builder {
     // Rounding of float positions must not lose a pair: widen the radius by a part in 1e5.
     const auto r2 = static_cast<float>(radius * radius * (1 + 2e-5));
     const float xk = local.x[k], yk = local.y[k], zk = local.z[k];
-    found.resize(local.x.size() + lanes<float>);
+    found.resize(local.x.size() + NeighbourList::padding);
     std::uint16_t* end = found.data();
     for (std::size_t l = 0; l < local.x.size(); l += lanes<float>) {
       P dx, dy, dz;

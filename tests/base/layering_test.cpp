@@ -56,6 +56,7 @@ TEST(Layering, ArrowsBetweenFoldersPointTheWayOfTheArchitecture) {
       std::smatch match;
       for (std::string line; std::getline(in, line);) {
         if (!std::regex_search(line, match, include)) continue;
+        if (match[1].str().find('/') == std::string::npos) continue;  // made by the build
         const std::string other = room_of(match[1].str());
         if (other == room) continue;
         if (room == "campaign" && other == "solver/step")
