@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(std::string_view doing, const fs::path& path) {
-  throw EnvironmentError(fmt::format("cannot {} {}: {}", doing, path.string(), std::strerror(errno)));
+  throw EnvironmentError(
+      fmt::format("cannot {} {}: {}", doing, path.string(), std::strerror(errno)));
 }
 
 void sync_path(const fs::path& path, int flags) {

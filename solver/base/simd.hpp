@@ -58,7 +58,8 @@ inline Pack<double> positive_part(Pack<double> x) {
 
 /// Writes first + l to `out` for every lane l with p[l] < limit, in order; returns the end.
 /// `out` needs room for a whole pack.
-inline std::uint16_t* append_less(Pack<float> p, float limit, std::uint16_t first, std::uint16_t* out) {
+inline std::uint16_t* append_less(Pack<float> p, float limit, std::uint16_t first,
+                                  std::uint16_t* out) {
 #if defined(__AVX512VBMI2__) && defined(__AVX512VL__)
   const __mmask16 near = _mm512_cmp_ps_mask(p, _mm512_set1_ps(limit), _CMP_LT_OQ);
   const __m256i ramp = _mm256_setr_epi16(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
@@ -129,7 +130,9 @@ inline Columns<T> load_transposed(const T* rows, const std::uint16_t* index, int
 template <int Stride>
 [[gnu::always_inline]] inline Columns<float> load_transposed(const float* rows,
                                                              const std::uint16_t* index, int b) {
-  const auto quad = [&](int l) __attribute__((always_inline)) { return _mm_load_ps(rows + index[l] * Stride + 4 * b); };
+  const auto quad = [&](int l) __attribute__((always_inline)) {
+    return _mm_load_ps(rows + index[l] * Stride + 4 * b);
+  };
   const auto gather = [&](int k) __attribute__((always_inline)) {
     __m512 r = _mm512_castps128_ps512(quad(k));
     r = _mm512_insertf32x4(r, quad(k + 4), 1);
@@ -149,7 +152,9 @@ template <int Stride>
 template <int Stride>
 [[gnu::always_inline]] inline Columns<double> load_transposed(const double* rows,
                                                               const std::uint16_t* index, int b) {
-  const auto quad = [&](int l) __attribute__((always_inline)) { return _mm256_load_pd(rows + index[l] * Stride + 4 * b); };
+  const auto quad = [&](int l) __attribute__((always_inline)) {
+    return _mm256_load_pd(rows + index[l] * Stride + 4 * b);
+  };
   const auto gather = [&](int k) __attribute__((always_inline)) {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(quad(k)), quad(k + 4), 1);
   };
@@ -179,7 +184,7 @@ inline void lane_sums(const Pack<T> (&in)[N], T* out) {
 /// All sixteen at once: a transpose that adds where it would only move.
 template <int N>
 [[gnu::always_inline]] inline void lane_sums(const Pack<float> (&in)[N], float* out) {
-  const auto of = [&](int k) __attribute__((always_inline)) -> __m512 {
+  const auto of = [&](int k) __attribute__((always_inline))->__m512 {
     return k < N ? in[k] : Pack<float>{};
   };
   const auto pair = [](__m512 a, __m512 b) __attribute__((always_inline)) {

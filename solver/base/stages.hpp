@@ -10,7 +10,14 @@ namespace eerie {
 /// The named stages of a step, in the order in which they run. One table: timing, printing
 /// and result files walk it.
 enum class Stage : std::size_t {
-  integrate, reorder, neighbours, material, pairs, gravity, output, count
+  integrate,
+  reorder,
+  neighbours,
+  material,
+  pairs,
+  gravity,
+  output,
+  count
 };
 inline constexpr std::size_t stage_count = static_cast<std::size_t>(Stage::count);
 inline constexpr std::array<std::string_view, stage_count> stage_names = {

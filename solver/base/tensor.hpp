@@ -38,8 +38,7 @@ constexpr double trace(const SymTensor& s) { return s.xx + s.yy + s.zz; }
 
 /// s : s, the full double contraction (off-diagonals count twice).
 constexpr double contract(const SymTensor& s) {
-  return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz +
-         2 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
+  return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
 }
 
 /// Second invariant of a deviator, J2 = s:s / 2.
@@ -52,8 +51,7 @@ constexpr Mat3 to_matrix(const SymTensor& s) {
 constexpr Mat3 operator*(const Mat3& a, const Mat3& b) {
   Mat3 c;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+    for (int j = 0; j < 3; ++j) c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
   return c;
 }
 

@@ -78,17 +78,19 @@ State make_body(const Scene& scene, Body body) {
   const auto n = static_cast<std::size_t>(is_target ? scene.numerics.particles_per_target
                                                     : impactor_particles(scene));
   Solver solver(scene, at_rest(scene, body, radius, n));
-  const double escape_speed = radius * std::sqrt(8 * pi / 3 * newton_G * scene.material.rho0_kg_per_m3);
+  const double escape_speed =
+      radius * std::sqrt(8 * pi / 3 * newton_G * scene.material.rho0_kg_per_m3);
   const double crossing = radius / make_material(scene).longitudinal_speed();
   double time = 0;
   // At least a few damping times: at the very start nothing has moved yet.
   while (time < 10 * crossing || rms_speed(solver.state()) > settled_fraction * escape_speed) {
     if (time > patience_crossings * crossing)
-      throw NumericalError("unsettled-body", solver.state().step, -1,
-                           fmt::format("the {} does not come to rest: after {:.0f} s its particles "
-                                       "still move at {:.2g} m/s; raise numerics.particles_per_target "
-                                       "or set numerics.h_over_spacing nearer to 1.2",
-                                       is_target ? "target" : "impactor", time, rms_speed(solver.state())));
+      throw NumericalError(
+          "unsettled-body", solver.state().step, -1,
+          fmt::format("the {} does not come to rest: after {:.0f} s its particles "
+                      "still move at {:.2g} m/s; raise numerics.particles_per_target "
+                      "or set numerics.h_over_spacing nearer to 1.2",
+                      is_target ? "target" : "impactor", time, rms_speed(solver.state())));
     solver.cycle(solver.state().time + 1e9);
     const double advanced = solver.state().time - time;
     time = solver.state().time;
@@ -107,13 +109,14 @@ State make_body(const Scene& scene, Body body) {
 State make_impact(const Scene& scene) {
   const double contact = contact_distance(scene), q = scene.impact.q;
   const double mu = newton_G * target_mass(scene) * (1 + q);
-  const RelativeOrbit start = orbit_before_contact(
-      orbit_at_contact(contact, scene.impact.v_imp_cm_per_s / 100, radians(scene.impact.theta_imp_deg)),
-      mu, contact * scene.impact.separation);
+  const RelativeOrbit start =
+      orbit_before_contact(orbit_at_contact(contact, scene.impact.v_imp_cm_per_s / 100,
+                                            radians(scene.impact.theta_imp_deg)),
+                           mu, contact * scene.impact.separation);
   const State target = make_body(scene, Body::target), impactor = make_body(scene, Body::impactor);
   // Shares of the masses that the particles really make up, so that momentum is zero.
-  const double share = static_cast<double>(impactor.size()) /
-                       static_cast<double>(target.size() + impactor.size());
+  const double share =
+      static_cast<double>(impactor.size()) / static_cast<double>(target.size() + impactor.size());
   State all;
   all.mass = target.mass;
   all.h = target.h;

@@ -23,7 +23,8 @@ RelativeOrbit orbit_before_contact(const RelativeOrbit& at_contact, double mu, d
   if (radial2 < 0)
     throw InputError(fmt::format(
         "scene.impact.v_imp_cm_per_s = {:g}: on this orbit the bodies were never {:.4g} m apart; "
-        "raise v_imp_cm_per_s or lower impact.separation", 100 * norm(v), distance));
+        "raise v_imp_cm_per_s or lower impact.separation",
+        100 * norm(v), distance));
 
   // Laplace-Runge-Lenz vector: points to pericentre, its length is the eccentricity.
   const Vec3 e = cross(v, momentum) / mu - r / norm(r);
@@ -36,8 +37,7 @@ RelativeOrbit orbit_before_contact(const RelativeOrbit& at_contact, double mu, d
   const Vec3 ahead = h2 > 0 ? cross(momentum / std::sqrt(h2), to_pericentre) : Vec3{};
   const Vec3 outward = cosine * to_pericentre + sine * ahead;
   const Vec3 tangent = h2 > 0 ? cross(momentum / std::sqrt(h2), outward) : Vec3{};
-  return {distance * outward,
-          -std::sqrt(radial2) * outward + (std::sqrt(h2) / distance) * tangent};
+  return {distance * outward, -std::sqrt(radial2) * outward + (std::sqrt(h2) / distance) * tangent};
 }
 
 }  // namespace eerie

@@ -26,7 +26,8 @@ Mat3 random_rotation(Random& random) {
 /// pushed apart until even.
 class PeriodicGlass {
  public:
-  PeriodicGlass(int side, Random& random) : side_(side), cells_(std::max(3, static_cast<int>(side / reach))) {
+  PeriodicGlass(int side, Random& random)
+      : side_(side), cells_(std::max(3, static_cast<int>(side / reach))) {
     for (int i = 0; i < side; ++i)
       for (int j = 0; j < side; ++j)
         for (int k = 0; k < side; ++k)
@@ -36,7 +37,7 @@ class PeriodicGlass {
   const std::vector<Vec3>& points() const { return points_; }
 
  private:
-  static constexpr double reach = 1.6;    ///< of the repulsion, in mean spacings
+  static constexpr double reach = 1.6;  ///< of the repulsion, in mean spacings
   static constexpr double mobility = 0.15;
   static constexpr int sweeps = 150;
 
@@ -45,7 +46,9 @@ class PeriodicGlass {
   void relax() {
     const int c = cells_;
     std::vector<std::vector<Vec3>> content(static_cast<std::size_t>(c * c * c));
-    const auto place = [&](int i, int j, int k) { return static_cast<std::size_t>((i * c + j) * c + k); };
+    const auto place = [&](int i, int j, int k) {
+      return static_cast<std::size_t>((i * c + j) * c + k);
+    };
     for (const Vec3& p : points_) content[place(cell(p.x), cell(p.y), cell(p.z))].push_back(p);
     points_.clear();
     for (int i = 0; i < c; ++i)
@@ -56,7 +59,8 @@ class PeriodicGlass {
             for (int b = j - 1; b <= j + 1; ++b)
               for (int d = k - 1; d <= k + 1; ++d) {
                 const Vec3 shift{period(a), period(b), period(d)};
-                for (const Vec3& p : content[place(wrap(a), wrap(b), wrap(d))]) partners_.push_back(p + shift);
+                for (const Vec3& p : content[place(wrap(a), wrap(b), wrap(d))])
+                  partners_.push_back(p + shift);
               }
           for (const Vec3& p : content[place(i, j, k)]) points_.push_back(moved(p));
         }
@@ -76,7 +80,9 @@ class PeriodicGlass {
     return q;
   }
 
-  int cell(double coordinate) const { return std::min(static_cast<int>(coordinate / side_ * cells_), cells_ - 1); }
+  int cell(double coordinate) const {
+    return std::min(static_cast<int>(coordinate / side_ * cells_), cells_ - 1);
+  }
   int wrap(int i) const { return (i + cells_) % cells_; }
   double period(int i) const { return i < 0 ? -side_ : i >= cells_ ? side_ : 0; }
 
@@ -114,12 +120,14 @@ std::vector<Vec3> packed_sphere(const std::string& packing, std::size_t n, doubl
   double side = 0;
   if (packing == "glass") {
     // A cube that holds the sphere, but at most 20 spacings wide: larger spheres tile it.
-    const int cells = std::clamp(static_cast<int>(std::ceil(std::cbrt(2.6 * static_cast<double>(n)))), 8, 20);
+    const int cells =
+        std::clamp(static_cast<int>(std::ceil(std::cbrt(2.6 * static_cast<double>(n)))), 8, 20);
     pattern = PeriodicGlass(cells, random).points();
     side = cells;
   } else if (packing == "lattice") {
     side = std::cbrt(4.0);  // face-centred cubic: four points in a cube
-    pattern = {{0, 0, 0}, {0, side / 2, side / 2}, {side / 2, 0, side / 2}, {side / 2, side / 2, 0}};
+    pattern = {
+        {0, 0, 0}, {0, side / 2, side / 2}, {side / 2, 0, side / 2}, {side / 2, side / 2, 0}};
   } else {
     throw InputError("scene.numerics.packing: unknown name \"" + packing + "\"");
   }

@@ -18,8 +18,8 @@ using Rheology = std::variant<DruckerPrager, Fluid>;
 struct Material {
   Eos eos;
   Rheology rheology;
-  double shear_modulus;     ///< Pa
-  double reference_density; ///< kg/m^3
+  double shear_modulus;      ///< Pa
+  double reference_density;  ///< kg/m^3
 
   /// Speed of the longitudinal elastic wave, sqrt((A + 4G/3)/rho0), m/s: the fastest signal.
   double longitudinal_speed() const {

@@ -83,9 +83,11 @@ class Tillotson {
     const double thermal = k_.b * rho * u / w, cold = k_.A_Pa * mu * decay;
     const double dthermal_drho = k_.b * u / w - thermal / w * dw_drho;
     const double dcold_drho = k_.A_Pa * decay / rho0_ - k_.beta * cold * dz_drho;
-    return {k_.a * rho * u + (thermal + cold) * gauss,
-            k_.a * u + (dthermal_drho + dcold_drho - 2 * k_.alpha * z * dz_drho * (thermal + cold)) * gauss,
-            k_.a * rho + (k_.b * rho / w - thermal / w * dw_du) * gauss};
+    return {
+        k_.a * rho * u + (thermal + cold) * gauss,
+        k_.a * u +
+            (dthermal_drho + dcold_drho - 2 * k_.alpha * z * dz_drho * (thermal + cold)) * gauss,
+        k_.a * rho + (k_.b * rho / w - thermal / w * dw_du) * gauss};
   }
 
   Scene::Tillotson k_;

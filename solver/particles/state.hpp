@@ -15,16 +15,16 @@ enum class Body : std::uint8_t { target = 0, impactor = 1 };
 /// What is integrated, one entry per particle, in memory order (see tree/order.hpp), SI.
 /// Mass and smoothing length are the same for every particle and constant in time.
 struct State {
-  double time = 0;       ///< s since the start of the run
-  long step = 0;         ///< steps done
-  double mass = 0;       ///< of one particle, kg
-  double h = 0;          ///< smoothing length, m
-  std::vector<std::uint32_t> id;  ///< 0..N-1, fixed for the whole run
-  std::vector<std::uint8_t> body; ///< Body
-  std::vector<Vec3> x;            ///< m
-  std::vector<Vec3> v;            ///< m/s
-  std::vector<double> rho;        ///< kg/m^3
-  std::vector<SymTensor> S;       ///< deviatoric stress, Pa
+  double time = 0;                 ///< s since the start of the run
+  long step = 0;                   ///< steps done
+  double mass = 0;                 ///< of one particle, kg
+  double h = 0;                    ///< smoothing length, m
+  std::vector<std::uint32_t> id;   ///< 0..N-1, fixed for the whole run
+  std::vector<std::uint8_t> body;  ///< Body
+  std::vector<Vec3> x;             ///< m
+  std::vector<Vec3> v;             ///< m/s
+  std::vector<double> rho;         ///< kg/m^3
+  std::vector<SymTensor> S;        ///< deviatoric stress, Pa
 
   std::size_t size() const { return x.size(); }
 };

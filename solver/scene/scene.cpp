@@ -64,7 +64,8 @@ void normalise_integers(json& node) {
     for (json& child : node) normalise_integers(child);
   } else if (node.is_number_float()) {
     const double value = node.get<double>();
-    if (value == std::floor(value) && std::abs(value) < 0x1p53) node = static_cast<std::int64_t>(value);
+    if (value == std::floor(value) && std::abs(value) < 0x1p53)
+      node = static_cast<std::int64_t>(value);
   }
 }
 

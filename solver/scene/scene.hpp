@@ -39,16 +39,16 @@ struct Scene {
 
   struct Numerics {
     std::int64_t particles_per_target;
-    std::int64_t seed;  ///< decides every random number of the run
-    std::string packing;  ///< "glass" or "lattice" (randomly oriented)
-    std::string kernel;   ///< "cubic-spline", ...
-    double h_over_spacing;    ///< smoothing length over (m/rho0)^(1/3), constant in time
+    std::int64_t seed;      ///< decides every random number of the run
+    std::string packing;    ///< "glass" or "lattice" (randomly oriented)
+    std::string kernel;     ///< "cubic-spline", ...
+    double h_over_spacing;  ///< smoothing length over (m/rho0)^(1/3), constant in time
     double viscosity_alpha, viscosity_beta;
-    double cfl;               ///< dt = cfl h / (c_l + h |div v|), c_l: longitudinal wave
-    double opening_angle;     ///< Barnes-Hut: node size over distance
+    double cfl;                     ///< dt = cfl h / (c_l + h |div v|), c_l: longitudinal wave
+    double opening_angle;           ///< Barnes-Hut: node size over distance
     std::int64_t gravity_interval;  ///< steps from one gravity kick to the next
-    double list_skin;         ///< extra neighbour search radius over 2h
-    std::string precision;    ///< of pair sums: "float" or "double"; the state is double
+    double list_skin;               ///< extra neighbour search radius over 2h
+    std::string precision;          ///< of pair sums: "float" or "double"; the state is double
   } numerics;
 
   struct End {

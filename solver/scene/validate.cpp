@@ -28,14 +28,16 @@ std::string allowed_values(const json& leaf) {
   }
   std::vector<std::string> bounds;
   const auto bound = [&](const char* key, const char* words) {
-    if (leaf.contains(key)) bounds.push_back(fmt::format("{} {:.10g}", words, leaf[key].get<double>()));
+    if (leaf.contains(key))
+      bounds.push_back(fmt::format("{} {:.10g}", words, leaf[key].get<double>()));
   };
   bound("exclusiveMinimum", "greater than");
   bound("minimum", "at least");
   bound("exclusiveMaximum", "less than");
   bound("maximum", "at most");
   const std::string type = leaf.value("type", "value");
-  const std::string noun = (type == "integer" || type == "object" || type == "array" ? "an " : "a ") + type;
+  const std::string noun =
+      (type == "integer" || type == "object" || type == "array" ? "an " : "a ") + type;
   if (bounds.empty()) return "must be " + noun;
   return fmt::format("must be {} {}", noun, fmt::join(bounds, " and "));
 }
@@ -51,9 +53,11 @@ std::string field_names(const json& node) {
 std::string first_fault(const json& schema, const json& document, const std::string& path) {
   const std::string meaning = schema.value("description", "");
   const auto fault = [&](const std::string& rule) {
-    std::string text = fmt::format("{} = {}: {}", path, document.dump(-1, ' ', false, json::error_handler_t::replace), rule);
+    std::string text = fmt::format(
+        "{} = {}: {}", path, document.dump(-1, ' ', false, json::error_handler_t::replace), rule);
     if (!meaning.empty()) text += fmt::format(" ({})", meaning);
-    if (schema.contains("default")) text += fmt::format("; for example {}", schema["default"].dump());
+    if (schema.contains("default"))
+      text += fmt::format("; for example {}", schema["default"].dump());
     return text;
   };
   const std::string type = schema.value("type", "");
@@ -72,7 +76,8 @@ std::string first_fault(const json& schema, const json& document, const std::str
         return fmt::format("{}.{}: there is no such field; remove it or use one of {}", path, name,
                            field_names(schema));
       }
-      if (std::string text = first_fault(*child, value, path + "." + name); !text.empty()) return text;
+      if (std::string text = first_fault(*child, value, path + "." + name); !text.empty())
+        return text;
     }
     return "";
   }
@@ -85,10 +90,12 @@ std::string first_fault(const json& schema, const json& document, const std::str
     if (!document.is_number() || (type == "integer" && !document.is_number_integer()))
       return fault(allowed_values(schema));
     const double value = document.get<double>();
-    const bool inside = !(schema.contains("minimum") && value < schema["minimum"].get<double>()) &&
-                        !(schema.contains("maximum") && value > schema["maximum"].get<double>()) &&
-                        !(schema.contains("exclusiveMinimum") && value <= schema["exclusiveMinimum"].get<double>()) &&
-                        !(schema.contains("exclusiveMaximum") && value >= schema["exclusiveMaximum"].get<double>());
+    const bool inside =
+        !(schema.contains("minimum") && value < schema["minimum"].get<double>()) &&
+        !(schema.contains("maximum") && value > schema["maximum"].get<double>()) &&
+        !(schema.contains("exclusiveMinimum") &&
+          value <= schema["exclusiveMinimum"].get<double>()) &&
+        !(schema.contains("exclusiveMaximum") && value >= schema["exclusiveMaximum"].get<double>());
     return inside ? "" : fault(allowed_values(schema));
   }
   if (type == "string" && !document.is_string()) return fault(allowed_values(schema));
@@ -110,7 +117,8 @@ const valijson::Schema& compiled(const json& schema) {
 }  // namespace
 
 void require_valid(const json& schema, const json& document, const std::string& where) {
-  if (std::string text = first_fault(schema, document, where); !text.empty()) throw InputError(text);
+  if (std::string text = first_fault(schema, document, where); !text.empty())
+    throw InputError(text);
 
   valijson::Validator validator;
   valijson::ValidationResults results;
@@ -118,7 +126,8 @@ void require_valid(const json& schema, const json& document, const std::string& 
   if (validator.validate(compiled(schema), target, &results)) return;
   valijson::ValidationResults::Error error;
   results.popError(error);
-  throw InputError(fmt::format("{} {}: {}", where, fmt::join(error.context, ""), error.description));
+  throw InputError(
+      fmt::format("{} {}: {}", where, fmt::join(error.context, ""), error.description));
 }
 
 const json* schema_at(const json& schema, const std::string& dotted_path) {
@@ -137,7 +146,8 @@ const json* schema_at(const json& schema, const std::string& dotted_path) {
 json with_defaults(const json& schema, json document) {
   for (const auto& [name, child] : schema.at("properties").items()) {
     if (child.value("type", "") == "object")
-      document[name] = with_defaults(child, document.contains(name) ? document[name] : json::object());
+      document[name] =
+          with_defaults(child, document.contains(name) ? document[name] : json::object());
     else if (!document.contains(name) && child.contains("default"))
       document[name] = child["default"];
   }

@@ -58,7 +58,8 @@ class PairRows {
       Row& r = local[k];
       r = rows_[j];
       r.x += real(o.x.x - home.x.x), r.y += real(o.x.y - home.x.y), r.z += real(o.x.z - home.x.z);
-      r.vx += real(o.v.x - home.v.x), r.vy += real(o.v.y - home.v.y), r.vz += real(o.v.z - home.v.z);
+      r.vx += real(o.v.x - home.v.x), r.vy += real(o.v.y - home.v.y),
+          r.vz += real(o.v.z - home.v.z);
     }
     // Far away, at rest, without volume: every pair with it contributes exactly nothing.
     local.back() = Row{};

@@ -98,7 +98,8 @@ class PairSums {
       fz += t6 * wx + t7 * wy + (t8 - q) * wz;
     }
     Real s[32];
-    const P first[] = {cxx, cyy, czz, cxy, cxz, cyz, gxx, gxy, gxz, gyx, gyy, gyz, gzx, gzy, gzz, wx_sum};
+    const P first[] = {cxx, cyy, czz, cxy, cxz, cyz, gxx, gxy,
+                       gxz, gyx, gyy, gyz, gzx, gzy, gzz, wx_sum};
     const P second[] = {wy_sum, wz_sum, fx, fy, fz};
     lane_sums(first, s);
     lane_sums(second, s + 16);

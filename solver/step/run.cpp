@@ -47,7 +47,9 @@ class Schedule {
 class Run {
  public:
   Run(const Scene& scene, const RunOptions& options)
-      : scene_(scene), options_(options), solver_(begin()),
+      : scene_(scene),
+        options_(options),
+        solver_(begin()),
         snapshots_(scene.output.snapshot_interval_s, solver_.state().time),
         histories_(scene.output.history_interval_s, solver_.state().time) {}
 
@@ -69,7 +71,8 @@ class Run {
     }
     {
       const StageTimer timer(solver_.stages(), Stage::output);
-      write_snapshot(options_.directory / (end == RunEnd::finished ? final_file : checkpoint_file), checkpoint());
+      write_snapshot(options_.directory / (end == RunEnd::finished ? final_file : checkpoint_file),
+                     checkpoint());
     }
     RunSummary summary;
     summary.end = end;
@@ -95,7 +98,8 @@ class Run {
   Solver begin() {
     if (std::optional<Snapshot> saved = resumable()) {
       first_totals_ = initial_totals();
-      note(fmt::format("going on from t = {:.0f} s, step {}", saved->state.time, saved->state.step));
+      note(
+          fmt::format("going on from t = {:.0f} s, step {}", saved->state.time, saved->state.step));
       return Solver(scene_, std::move(saved->state), std::move(*saved->rates), *saved->restart,
                     std::move(saved->pressure));
     }
@@ -163,8 +167,12 @@ class Run {
   }
   Progress progress() const {
     const State& s = solver_.state();
-    return {s.time, scene_.end.time_s, s.step, solver_.dt(),
-            static_cast<double>(s.step) * static_cast<double>(s.size()), seconds_since(start_)};
+    return {s.time,
+            scene_.end.time_s,
+            s.step,
+            solver_.dt(),
+            static_cast<double>(s.step) * static_cast<double>(s.size()),
+            seconds_since(start_)};
   }
 
   const Scene& scene_;
@@ -182,8 +190,8 @@ RunSummary run_impact(const Scene& scene, const RunOptions& options) {
   std::error_code error;
   fs::create_directories(options.directory, error);
   if (error)
-    throw EnvironmentError(fmt::format("cannot make the folder {}: {}", options.directory.string(),
-                                       error.message()));
+    throw EnvironmentError(
+        fmt::format("cannot make the folder {}: {}", options.directory.string(), error.message()));
   return Run(scene, options).go();
 }
 

@@ -15,21 +15,21 @@ namespace eerie {
 struct Progress {
   double time = 0, end_time = 0;  ///< simulated, s
   long step = 0;
-  double dt = 0;                  ///< s
-  double particle_steps = 0;      ///< since the start of the run, interruptions included
-  double wall_s = 0;              ///< of this process
+  double dt = 0;              ///< s
+  double particle_steps = 0;  ///< since the start of the run, interruptions included
+  double wall_s = 0;          ///< of this process
 };
 
 enum class RunEnd { finished, stopped, step_limit };
 
 struct RunSummary {
   RunEnd end = RunEnd::finished;
-  Snapshot last;             ///< state at the end, pressures included
+  Snapshot last;                     ///< state at the end, pressures included
   Totals first_totals, last_totals;  ///< at time 0 and at the end
   Progress progress;
-  StageTimes stages;         ///< of this process
-  double steps_here = 0;     ///< steps done by this process
-  long list_builds = 0;      ///< of this process
+  StageTimes stages;      ///< of this process
+  double steps_here = 0;  ///< steps done by this process
+  long list_builds = 0;   ///< of this process
   int threads = 1;
 };
 
@@ -40,15 +40,15 @@ struct RunOptions {
   long max_steps = 0;  ///< of this process, rounded up to whole cycles; 0: until the end time
   std::function<void(const Progress&)> on_progress;  ///< after every cycle of steps; must be cheap
   std::function<void(const Snapshot&)> on_history;   ///< every output.history_interval_s
-  std::function<bool()> stop;       ///< asked after every cycle; true: checkpoint and return
-  std::function<void(const std::string&)> on_note;   ///< a sentence for the log
+  std::function<bool()> stop;  ///< asked after every cycle; true: checkpoint and return
+  std::function<void(const std::string&)> on_note;  ///< a sentence for the log
 };
 
 /// Makes the bodies of `scene` and lets them collide, or goes on from `directory`/checkpoint.hdf5
 /// where that holds the same scene (a torn or foreign checkpoint is passed over with a note).
-/// snapshot_0000.hdf5 is the state at time 0; final.hdf5 the last one, itself a checkpoint. The same scene gives the same bits for any number of threads and of interruptions.
-/// Throws NumericalError (the newest snapshot or checkpoint is the last good state) and
-/// EnvironmentError.
+/// snapshot_0000.hdf5 is the state at time 0; final.hdf5 the last one, itself a checkpoint. The
+/// same scene gives the same bits for any number of threads and of interruptions. Throws
+/// NumericalError (the newest snapshot or checkpoint is the last good state) and EnvironmentError.
 RunSummary run_impact(const Scene& scene, const RunOptions& options);
 
 }  // namespace eerie

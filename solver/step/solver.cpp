@@ -175,7 +175,8 @@ void Solver::sum_over_neighbours() {
           const SymTensor L = correction_matrix(s.C);
           rates_.correction[i] = L;
           rates_.drho_dt[i] = -rho * (s.G[0][0] + s.G[1][1] + s.G[2][2]);
-          rates_.dS_dt[i] = stress_rate(S_predicted_[i], s.G * to_matrix(L), material_.shear_modulus);
+          rates_.dS_dt[i] =
+              stress_rate(S_predicted_[i], s.G * to_matrix(L), material_.shear_modulus);
           rates_.dv_dt[i] = s.force / rho;
         });
       },
@@ -244,12 +245,13 @@ void Solver::damp(double factor) {
 void Solver::check(std::size_t offender, const char* kind) const {
   if (offender == nobody) return;
   const auto id = static_cast<long>(state_.id[offender]);
-  throw NumericalError(kind, state_.step, id,
-                       fmt::format("{} at step {} (t = {:.6g} s), particle {}: rho = {:.4g} kg/m^3, "
-                                   "|v| = {:.4g} m/s; lower numerics.cfl (now {:g}) or look at the "
-                                   "last good state",
-                                   kind, state_.step, state_.time, id, state_.rho[offender],
-                                   norm(state_.v[offender]), cfl_));
+  throw NumericalError(
+      kind, state_.step, id,
+      fmt::format("{} at step {} (t = {:.6g} s), particle {}: rho = {:.4g} kg/m^3, "
+                  "|v| = {:.4g} m/s; lower numerics.cfl (now {:g}) or look at the "
+                  "last good state",
+                  kind, state_.step, state_.time, id, state_.rho[offender],
+                  norm(state_.v[offender]), cfl_));
 }
 
 }  // namespace eerie

@@ -16,8 +16,8 @@ Totals totals(const Scene& scene, const State& state) {
   t.mass = state.mass * static_cast<double>(state.size());
   KdTree tree(state.size());
   tree.fit(state.x);
-  t.potential_energy = Gravity({state.mass, state.h, scene.numerics.opening_angle})
-                           .potential_energy(tree, state.x);
+  t.potential_energy =
+      Gravity({state.mass, state.h, scene.numerics.opening_angle}).potential_energy(tree, state.x);
   return t;
 }
 

@@ -54,7 +54,8 @@ void add_softened(Targets& t, const Vec3& source, float h) {
     const auto far = q >= 2, inner = q < 1;
     if constexpr (field == Field::acceleration) {
       const P newton = s * s * s;
-      const P shell = newton * (q3 * (8.f / 3 + q * (-3.f + q * (1.2f - q * (1.f / 6)))) - 1.f / 15);
+      const P shell =
+          newton * (q3 * (8.f / 3 + q * (-3.f + q * (1.2f - q * (1.f / 6)))) - 1.f / 15);
       const P core = ih * ih * ih * (4.f / 3 + q2 * (-1.2f + 0.5f * q));
       t.pull(k, dx, dy, dz, far ? newton : inner ? core : shell);
     } else {
@@ -100,7 +101,8 @@ void Gravity::fit_moments(const KdTree& tree, const std::vector<Vec3>& x) {
     const auto add_quadrupole = [&](const Vec3& d, double count) {
       const double r2 = norm2(d);
       m.quadrupole += SymTensor{3 * d.x * d.x - r2, 3 * d.y * d.y - r2, 3 * d.z * d.z - r2,
-                                3 * d.x * d.y, 3 * d.x * d.z, 3 * d.y * d.z} * count;
+                                3 * d.x * d.y,      3 * d.x * d.z,      3 * d.y * d.z} *
+                      count;
     };
     if (node.is_leaf()) {
       for (std::uint32_t i = node.begin; i < node.end; ++i) m.centre += x[i];
@@ -139,7 +141,8 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Store&& store
       const Vec3 origin = box.centre();
       Targets t;
       for (std::size_t i = first; i < last; ++i) {
-        const int k = static_cast<int>(i - first) / lanes<float>, l = static_cast<int>(i - first) % lanes<float>;
+        const int k = static_cast<int>(i - first) / lanes<float>,
+                  l = static_cast<int>(i - first) % lanes<float>;
         const Vec3 d = x[i] - origin;
         t.x[k][l] = static_cast<float>(d.x), t.y[k][l] = static_cast<float>(d.y),
         t.z[k][l] = static_cast<float>(d.z);
@@ -150,7 +153,8 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Store&& store
         stack.pop_back();
         const KdTree::Node& node = tree.nodes[n];
         const Moments& m = moments_[n];
-        const double d2 = distance2(box, m.centre), theta_d2 = p_.opening_angle * p_.opening_angle * d2;
+        const double d2 = distance2(box, m.centre),
+                     theta_d2 = p_.opening_angle * p_.opening_angle * d2;
         if (m.size * m.size < theta_d2 && d2 > (m.size + reach) * (m.size + reach)) {
           add_node<field>(t, m.centre - origin, static_cast<float>(m.count), m.quadrupole);
         } else if (!node.is_leaf()) {
@@ -159,11 +163,13 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Store&& store
         } else if (distance2(box, node.box) > reach * reach) {
           for (std::uint32_t j = node.begin; j < node.end; ++j) add_point<field>(t, x[j] - origin);
         } else {
-          for (std::uint32_t j = node.begin; j < node.end; ++j) add_softened<field>(t, x[j] - origin, h);
+          for (std::uint32_t j = node.begin; j < node.end; ++j)
+            add_softened<field>(t, x[j] - origin, h);
         }
       }
       for (std::size_t i = first; i < last; ++i) {
-        const int k = static_cast<int>(i - first) / lanes<float>, l = static_cast<int>(i - first) % lanes<float>;
+        const int k = static_cast<int>(i - first) / lanes<float>,
+                  l = static_cast<int>(i - first) % lanes<float>;
         store(i, Vec3{t.ax[k][l], t.ay[k][l], t.az[k][l]}, static_cast<double>(t.phi[k][l]));
       }
     }

@@ -28,10 +28,10 @@ class Gravity {
 
  private:
   struct Moments {
-    Vec3 centre;          ///< of mass, m
-    double count;         ///< mass in particle masses
-    double size;          ///< largest distance of a corner of the box from the centre, m
-    SymTensor quadrupole; ///< sum of 3 x x - r^2 1, m^2
+    Vec3 centre;           ///< of mass, m
+    double count;          ///< mass in particle masses
+    double size;           ///< largest distance of a corner of the box from the centre, m
+    SymTensor quadrupole;  ///< sum of 3 x x - r^2 1, m^2
   };
   void fit_moments(const KdTree& tree, const std::vector<Vec3>& x);
   template <bool potential, class Store>

@@ -74,10 +74,9 @@ struct Builder {
       list.begin[k] = static_cast<std::uint32_t>(list.index.size());
       const std::size_t neighbours = append_neighbours(k, list);
       // Bulk particles need no slack of their own: their nearest unlisted one is a skin away.
-      slack[first + k] =
-          neighbours > loose_neighbours
-              ? -1.0f
-              : static_cast<float>(unlisted_distance(first + k) - support);
+      slack[first + k] = neighbours > loose_neighbours
+                             ? -1.0f
+                             : static_cast<float>(unlisted_distance(first + k) - support);
     }
     for (std::size_t k = last - first; k <= bucket_size; ++k)
       list.begin[k] = static_cast<std::uint32_t>(list.index.size());

@@ -26,8 +26,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"solver/initial",
      {"solver/base", "solver/scene", "solver/material", "solver/particles", "solver/step"}},
     {"db", {}},
-    {"analysis",
-     {"solver/base", "solver/scene", "solver/particles", "solver/tree", "solver/io"}},
+    {"analysis", {"solver/base", "solver/scene", "solver/particles", "solver/tree", "solver/io"}},
     {"campaign", {"db", "analysis", "solver/base", "solver/scene", "solver/io"}},
 };
 

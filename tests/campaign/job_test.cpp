@@ -23,8 +23,8 @@ TEST(Job, ExpectsTwiceTheWorkForTwiceTheTime) {
 TEST(Job, ExpectsTheWorkThatTheCourantConditionGives) {
   // N = 8000 makes the spacing of a 50 m body (4 pi / 3 / 8000)^(1/3) 50 m = 4.03 m, h = 4.836 m;
   // c_l = sqrt((26700 + 4/3 22700) / 2700) = 4.593 m/s; dt = 0.7 h / c_l = 0.737 s.
-  const Scene scene =
-      scene_with({{"numerics", {{"particles_per_target", 8000}}}, {"end", {{"time_s", 1000}}}});
+  const Scene scene = scene_with(
+      {{"numerics", {{"particles_per_target", 8000}, {"cfl", 0.7}}}, {"end", {{"time_s", 1000}}}});
   EXPECT_NEAR(expected_particle_steps(scene), 16000 * 1357, 16000 * 4);
 }
 
