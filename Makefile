@@ -33,8 +33,10 @@ bench: packages-test  ## time the stages of a step (Google Benchmark)
 format:  ## lay out the sources with clang-format
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
 
-tidy: $(BUILD)/build.ninja  ## check the sources with clang-tidy
-	@git ls-files '*.cpp' | grep -v ^tests/ | xargs clang-tidy -p $(BUILD) --quiet
+tidy:  ## check the sources with clang-tidy (slow; needs clang-tidy)
+	@cmake -S . -B $(BUILD)-tidy -G Ninja -DEERIE_TESTS=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > /dev/null
+	@cmake --build $(BUILD)-tidy --target eerie_commit > /dev/null
+	@git ls-files '*.cpp' | grep -v ^tests/ | xargs -n 1 -P $(JOBS) clang-tidy -p $(BUILD)-tidy --quiet
 
 clean:  ## remove what was built; results stay
 	@rm -rf $(BUILD)

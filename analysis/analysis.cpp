@@ -39,7 +39,7 @@ OutcomeMasses outcome_masses(const State& state, const std::vector<double>& grou
   OutcomeMasses masses;
   masses.target = state.mass * static_cast<double>(in_target);
   masses.impactor = state.mass * static_cast<double>(state.size()) - masses.target;
-  if (group_masses.size() > 0) masses.m_lr = group_masses[0];
+  if (!group_masses.empty()) masses.m_lr = group_masses[0];
   if (group_masses.size() > 1) masses.m_slr = group_masses[1];
   return masses;
 }

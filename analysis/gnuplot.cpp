@@ -15,8 +15,6 @@
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
-extern char** environ;
-
 namespace eerie {
 
 namespace {

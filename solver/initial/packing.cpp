@@ -45,9 +45,11 @@ class PeriodicGlass {
   /// partners from across the border are shifted by a whole period.
   void relax() {
     const int c = cells_;
-    std::vector<std::vector<Vec3>> content(static_cast<std::size_t>(c * c * c));
+    const auto cells = static_cast<std::size_t>(c);
+    std::vector<std::vector<Vec3>> content(cells * cells * cells);
     const auto place = [&](int i, int j, int k) {
-      return static_cast<std::size_t>((i * c + j) * c + k);
+      return (static_cast<std::size_t>(i) * cells + static_cast<std::size_t>(j)) * cells +
+             static_cast<std::size_t>(k);
     };
     for (const Vec3& p : points_) content[place(cell(p.x), cell(p.y), cell(p.z))].push_back(p);
     points_.clear();
