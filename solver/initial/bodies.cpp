@@ -44,14 +44,11 @@ State at_rest(const Scene& scene, Body body, double radius, std::size_t n) {
 }
 
 /// The orders of memory differ from body to body; ids put them back.
-State sorted_by_id(const State& s) {
-  State sorted = s;
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    const std::size_t k = s.id[i];
-    sorted.id[k] = s.id[i], sorted.body[k] = s.body[i], sorted.x[k] = s.x[i], sorted.v[k] = s.v[i];
-    sorted.rho[k] = s.rho[i], sorted.S[k] = s.S[i];
-  }
-  return sorted;
+State sorted_by_id(State s) {
+  std::vector<std::uint32_t> place(s.size());
+  for (std::uint32_t i = 0; i < s.size(); ++i) place[s.id[i]] = i;
+  visit_state(s, [&](const char*, auto& array) { permute(array, place); });
+  return s;
 }
 
 void append(State& all, const State& body, const Vec3& x, const Vec3& v) {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <string>
 #include <variant>
 
-#include "solver/base/error.hpp"
+#include "solver/base/token.hpp"
 #include "solver/material/drucker_prager.hpp"
 #include "solver/material/tillotson.hpp"
 #include "solver/scene/scene.hpp"
@@ -29,23 +28,10 @@ struct Material {
   }
 };
 
-namespace detail {
-/// Walks a variant's types for the one whose token matches.
-template <class Variant, std::size_t I = 0>
-Variant make_by_token(const std::string& token, const Scene::Material& m) {
-  if constexpr (I == std::variant_size_v<Variant>) {
-    throw InputError("scene.material: unknown name \"" + token + "\"");
-  } else {
-    using T = std::variant_alternative_t<I, Variant>;
-    if (token == T::token) return T(m);
-    return make_by_token<Variant, I + 1>(token, m);
-  }
-}
-}  // namespace detail
-
 inline Material make_material(const Scene& scene) {
   const Scene::Material& m = scene.material;
-  return {detail::make_by_token<Eos>(m.eos, m), detail::make_by_token<Rheology>(m.rheology, m),
+  return {make_by_token<Eos>("scene.material.eos", m.eos, m),
+          make_by_token<Rheology>("scene.material.rheology", m.rheology, m),
           m.rheology == Fluid::token ? 0 : m.shear_modulus_Pa, m.rho0_kg_per_m3};
 }
 

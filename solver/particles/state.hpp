@@ -78,4 +78,13 @@ inline void resize(Rates& rates, std::size_t n) {
   visit_rates(rates, [n](const char*, auto& array) { array.resize(n); });
 }
 
+/// array[i] becomes array[order[i]].
+template <class T>
+void permute(std::vector<T>& array, const std::vector<std::uint32_t>& order) {
+  std::vector<T> sorted(array.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < array.size(); ++i) sorted[i] = array[order[i]];
+  array.swap(sorted);
+}
+
 }  // namespace eerie

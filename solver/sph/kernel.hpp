@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "solver/base/constants.hpp"
-#include "solver/base/error.hpp"
 #include "solver/base/simd.hpp"
+#include "solver/base/token.hpp"
 
 namespace eerie {
 
@@ -74,15 +74,8 @@ struct WendlandC4 {
 /// Every kernel; a new one is one struct and one entry here.
 using KernelChoice = std::variant<CubicSpline, WendlandC2, WendlandC4>;
 
-template <std::size_t I = 0>
-KernelChoice make_kernel(const std::string& token) {
-  if constexpr (I == std::variant_size_v<KernelChoice>) {
-    throw InputError("scene.numerics.kernel: unknown name \"" + token + "\"");
-  } else {
-    using K = std::variant_alternative_t<I, KernelChoice>;
-    if (token == K::token) return K{};
-    return make_kernel<I + 1>(token);
-  }
+inline KernelChoice make_kernel(const std::string& token) {
+  return make_by_token<KernelChoice>("scene.numerics.kernel", token);
 }
 
 }  // namespace eerie

@@ -14,14 +14,6 @@ namespace {
 constexpr double acceleration_safety = 0.25;
 constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
-template <class T>
-void permute(std::vector<T>& array, const std::vector<std::uint32_t>& order) {
-  std::vector<T> sorted(array.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < array.size(); ++i) sorted[i] = array[order[i]];
-  array.swap(sorted);
-}
-
 }  // namespace
 
 Solver::Sums Solver::make_sums(const Scene& scene) {
