@@ -48,6 +48,14 @@ constexpr Mat3 to_matrix(const SymTensor& s) {
   return {{{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}};
 }
 
+/// a : b, the sum of a_ij b_ij.
+constexpr double contract(const Mat3& a, const Mat3& b) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) sum += a[i][j] * b[i][j];
+  return sum;
+}
+
 constexpr Mat3 operator*(const Mat3& a, const Mat3& b) {
   Mat3 c;
   for (int i = 0; i < 3; ++i)

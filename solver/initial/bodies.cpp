@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/base/constants.hpp"
@@ -61,6 +62,8 @@ void append(State& all, const State& body, const Vec3& x, const Vec3& v) {
     all.rho.push_back(body.rho[i]);
     all.S.push_back(body.S[i]);
   }
+  for (auto field : {&State::u, &State::viscous_heat, &State::friction_heat, &State::damage_cbrt})
+    (all.*field).insert((all.*field).end(), (body.*field).begin(), (body.*field).end());
 }
 
 }  // namespace
@@ -98,6 +101,8 @@ State make_body(const Scene& scene, Body body) {
   for (const Vec3& x : s.x) centre += x;
   for (Vec3& x : s.x) x -= centre / static_cast<double>(n);
   for (Vec3& v : s.v) v = {};
+  for (auto* heat : {&s.u, &s.viscous_heat, &s.friction_heat})
+    std::fill(heat->begin(), heat->end(), 0.0);
   s.time = 0;
   s.step = 0;
   return s;

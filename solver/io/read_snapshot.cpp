@@ -49,7 +49,7 @@ double positive(hid_t group, const char* name) {
   return value;
 }
 
-State read_state(hid_t file) {
+State read_state(hid_t file, const OptionalFields& use) {
   const h5::Handle group = h5::open_group(file, "State");
   const std::int64_t version = h5::read_integer(group, "FormatVersion");
   if (version != snapshot_format_version)
@@ -65,6 +65,7 @@ State read_state(hid_t file) {
   state.h = positive(group, "SmoothingLength");
   const std::size_t n = h5::rows_of(group, "ParticleIDs", h5::Layout<std::uint32_t>::type(), 1);
   if (n == 0) throw Failure("it has no particles");
+  resize(state, n, use);
   visit_state(state, [&](const char* name, auto& array) { read_field(group, name, n, array); });
   require_permutation(state.id);
   for (std::size_t i = 0; i < n; ++i) {
@@ -87,16 +88,22 @@ Snapshot read_file_bytes(const std::string& bytes) {
   const h5::Handle file = h5::open_bytes(bytes);
   Snapshot snapshot;
   snapshot.scene = read_scene(file);
-  snapshot.state = read_state(file);
+  const OptionalFields use{has_energy(snapshot.scene), has_fracture(snapshot.scene)};
+  snapshot.state = read_state(file, use);
   const std::size_t n = snapshot.state.size();
   const auto from = [n](hid_t group) {
     return [group, n](const char* name, auto& array) { read_field(group, name, n, array); };
   };
   read_field(h5::open_group(file, "PartType0"), "Pressures", n, snapshot.pressure);
-  if (h5::has(file, "Rates"))
-    visit_rates(snapshot.rates.emplace(), from(h5::open_group(file, "Rates")));
-  if (h5::has(file, "Restart"))
-    visit_restart(snapshot.restart.emplace(), from(h5::open_group(file, "Restart")));
+  if (h5::has(file, "Rates")) {
+    resize(snapshot.rates.emplace(), n, use);
+    visit_rates(*snapshot.rates, from(h5::open_group(file, "Rates")));
+  }
+  if (h5::has(file, "Restart")) {
+    const h5::Handle restart = h5::open_group(file, "Restart");
+    snapshot.restart.emplace().list_support = positive(restart, "ListSupport");
+    visit_restart(*snapshot.restart, from(restart));
+  }
   return snapshot;
 }
 

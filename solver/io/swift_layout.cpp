@@ -45,6 +45,16 @@ void alias(hid_t group, const char* target, const char* name) {
   h5::require(H5Lcreate_soft(target, group, name, H5P_DEFAULT, H5P_DEFAULT), name);
 }
 
+/// The h of each particle, where it evolves as its density says.
+void write_smoothing_lengths(hid_t group, const Snapshot& snapshot) {
+  const State& state = snapshot.state;
+  std::vector<double> h(state.size(), state.h);
+  if (snapshot.scene.numerics.smoothing == "evolving")
+    for (std::size_t i = 0; i < state.size(); ++i)
+      h[i] *= std::cbrt(snapshot.scene.material.rho0_kg_per_m3 / state.rho[i]);
+  write_field<double>(group, "SmoothingLengths", h);
+}
+
 void write_header(hid_t file, const Snapshot& snapshot, const SnapshotBox& box) {
   const h5::Handle header = h5::new_group(file, "Header");
   const std::array<double, 3> size{box.size.x, box.size.y, box.size.z};
@@ -122,8 +132,8 @@ void write_swift_groups(hid_t file, hid_t state_group, const Snapshot& snapshot)
   write_field<Vec3>(gas, "Coordinates", shifted);
   write_field<double>(gas, "Pressures", snapshot.pressure);
   write_constant(gas, "Masses", state.size(), state.mass);
-  write_constant(gas, "SmoothingLengths", state.size(), state.h);
-  write_constant(gas, "InternalEnergies", state.size(), 0.0);
+  write_smoothing_lengths(gas, snapshot);
+  if (state.u.empty()) write_constant(gas, "InternalEnergies", state.size(), 0.0);
   write_constant(gas, "MaterialIDs", state.size(), std::int64_t{103});
   alias(gas, "SmoothingLengths", "SmoothingLength");
   alias(gas, "InternalEnergies", "InternalEnergy");

@@ -49,7 +49,11 @@ void write_groups(hid_t file, const Snapshot& snapshot) {
   write_swift_groups(file, state, snapshot);
   write_vtkhdf_group(file, snapshot);
   if (snapshot.rates) visit_rates(*snapshot.rates, into(h5::new_group(file, "Rates")));
-  if (snapshot.restart) visit_restart(*snapshot.restart, into(h5::new_group(file, "Restart")));
+  if (snapshot.restart) {
+    const h5::Handle restart = h5::new_group(file, "Restart");
+    h5::write_attribute(restart, "ListSupport", snapshot.restart->list_support);
+    visit_restart(*snapshot.restart, into(restart));
+  }
 }
 
 }  // namespace

@@ -1,30 +1,57 @@
 #pragma once
 
+#include <cmath>
+#include <optional>
 #include <variant>
 
 #include "solver/base/token.hpp"
 #include "solver/material/drucker_prager.hpp"
+#include "solver/material/elastic.hpp"
+#include "solver/material/fluid.hpp"
+#include "solver/material/grady_kipp.hpp"
+#include "solver/material/ideal_gas.hpp"
+#include "solver/material/linear_eos.hpp"
+#include "solver/material/lundborg.hpp"
 #include "solver/material/tillotson.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie {
 
-/// Every equation of state and rheology; a new one is one file and one entry here (and its
-/// token in scene.schema.json). Dispatched once, outside the loops.
-using Eos = std::variant<Tillotson>;
-using Rheology = std::variant<DruckerPrager, Fluid>;
+/// No fracture: damage is what the rheology takes it to be, and costs nothing.
+struct NoFracture {
+  static constexpr const char* token = "none";
+  explicit NoFracture(const Scene::Material&) {}
+};
+
+/// Every equation of state, rheology and law of fracture; a new one is one file and one entry
+/// here (and its token in scene.schema.json). Dispatched once, outside the loops.
+using Eos = std::variant<Tillotson, LinearEos, IdealGas>;
+using Rheology = std::variant<DruckerPrager, Fluid, Elastic, Lundborg>;
+using Fracture = std::variant<NoFracture, GradyKipp>;
 
 struct Material {
   Eos eos;
   Rheology rheology;
-  double shear_modulus;      ///< Pa
+  Fracture fracture;
+  double shear_modulus;      ///< G, Pa
   double reference_density;  ///< kg/m^3
 
-  /// Speed of the longitudinal elastic wave, sqrt((A + 4G/3)/rho0), m/s: the fastest signal.
+  double reference_sound_speed() const {
+    return std::visit([](const auto& e) { return e.reference_sound_speed(); }, eos);
+  }
+  /// Speed of the longitudinal elastic wave, sqrt(c0^2 + 4G/(3 rho0)), m/s: the fastest signal.
   double longitudinal_speed() const {
-    const double c = std::visit([](const auto& e) { return e.reference_sound_speed(); }, eos);
-    const bool sheared = !std::holds_alternative<Fluid>(rheology);
-    return std::sqrt(c * c + (sheared ? 4 * shear_modulus / (3 * reference_density) : 0));
+    const double c = reference_sound_speed();
+    return std::sqrt(c * c + 4 * shear_modulus / (3 * reference_density));
+  }
+  /// E = 9 K G/(3 K + G), Pa, K the bulk modulus of the uncompressed material.
+  double young_modulus() const {
+    const double c = reference_sound_speed(), K = reference_density * c * c;
+    return 9 * K * shear_modulus / (3 * K + shear_modulus);
+  }
+  /// Damage of a particle that has not fractured yet.
+  double initial_damage() const {
+    return std::visit([](const auto& r) { return r.is_damaged ? 1.0 : 0.0; }, rheology);
   }
 };
 
@@ -32,6 +59,7 @@ inline Material make_material(const Scene& scene) {
   const Scene::Material& m = scene.material;
   return {make_by_token<Eos>("scene.material.eos", m.eos, m),
           make_by_token<Rheology>("scene.material.rheology", m.rheology, m),
+          make_by_token<Fracture>("scene.material.fracture", m.fracture, m),
           m.rheology == Fluid::token ? 0 : m.shear_modulus_Pa, m.rho0_kg_per_m3};
 }
 

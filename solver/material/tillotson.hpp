@@ -4,20 +4,16 @@
 #include <cmath>
 
 #include "solver/base/constants.hpp"
+#include "solver/material/eos_point.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie {
-
-/// Pressure and sound speed at one point of an equation of state.
-struct EosPoint {
-  double p;  ///< Pa
-  double c;  ///< adiabatic sound speed, m/s
-};
 
 /// Equation of state of Tillotson (1962), as in Benz & Asphaug (1999), all branches.
 class Tillotson {
  public:
   static constexpr const char* token = "tillotson";
+  static constexpr bool is_cold = true;  ///< resists compression without heat
 
   explicit Tillotson(const Scene::Material& m) : k_(m.tillotson), rho0_(m.rho0_kg_per_m3) {}
 

@@ -13,18 +13,26 @@ namespace eerie {
 enum class Body : std::uint8_t { target = 0, impactor = 1 };
 
 /// What is integrated, one entry per particle, in memory order (see tree/order.hpp), SI.
-/// Mass and smoothing length are the same for every particle and constant in time.
+/// Mass is the same for every particle and constant in time. Fields of physics that the scene does
+/// not use are empty.
 struct State {
   double time = 0;                 ///< s since the start of the run
   long step = 0;                   ///< steps done
   double mass = 0;                 ///< of one particle, kg
-  double h = 0;                    ///< smoothing length, m
+  double h = 0;                    ///< smoothing length at the reference density, m
   std::vector<std::uint32_t> id;   ///< 0..N-1, fixed for the whole run
   std::vector<std::uint8_t> body;  ///< Body
   std::vector<Vec3> x;             ///< m
   std::vector<Vec3> v;             ///< m/s
   std::vector<double> rho;         ///< kg/m^3
   std::vector<SymTensor> S;        ///< deviatoric stress, Pa
+
+  // With an energy equation. The two heats are parts of u, kept for the budget.
+  std::vector<double> u;              ///< specific internal energy, elastic energy included, J/kg
+  std::vector<double> viscous_heat;   ///< what artificial viscosity made of motion, J/kg
+  std::vector<double> friction_heat;  ///< what yielding took from elastic stress, J/kg
+  // With fracture.
+  std::vector<double> damage_cbrt;  ///< cube root of the damage D, which grows evenly
 
   std::size_t size() const { return x.size(); }
 };
@@ -35,16 +43,25 @@ struct Rates {
   std::vector<Vec3> dv_dt;
   std::vector<double> drho_dt;
   std::vector<SymTensor> dS_dt;
-  std::vector<SymTensor> correction;  ///< L, inverse moment matrix of the corrected gradient
-  std::vector<Vec3> g;                ///< gravity when it was last evaluated, m/s^2
-  std::vector<Vec3> dg_dt;            ///< its change since the evaluation before, m/s^3
+  std::vector<SymTensor> correction;    ///< L, inverse moment matrix of the corrected gradient
+  std::vector<Vec3> g;                  ///< gravity when it was last evaluated, m/s^2
+  std::vector<Vec3> dg_dt;              ///< its change since the evaluation before, m/s^3
+  std::vector<double> du_dt;            ///< W/kg; with an energy equation
+  std::vector<double> viscous_heating;  ///< the part of du_dt that viscosity makes, W/kg
 };
 
 /// What a run needs, beyond State and Rates, to go on with the same bits: neighbour lists are
 /// a pure function of the memory order and of where the particles were when they were built.
 struct Restart {
   std::vector<Vec3> list_x;  ///< positions at the last list build, m
+  double list_support = 0;   ///< the support radius that it used, m
 };
+
+/// Optional fields are visited where they are in use, that is not empty.
+template <class Visit, class Array>
+void visit_some(Visit& visit, const char* name, Array& array) {
+  if (!array.empty()) visit(name, array);
+}
 
 /// The one table of per-particle fields; reordering, resizing, saving, loading and comparing
 /// walk it. visit(name, array).
@@ -56,6 +73,10 @@ void visit_state(S& state, Visit&& visit) {
   visit("Velocities", state.v);
   visit("Densities", state.rho);
   visit("DeviatoricStresses", state.S);
+  visit_some(visit, "InternalEnergies", state.u);
+  visit_some(visit, "ViscousHeats", state.viscous_heat);
+  visit_some(visit, "FrictionHeats", state.friction_heat);
+  visit_some(visit, "DamageCubeRoots", state.damage_cbrt);
 }
 template <class R, class Visit>
 void visit_rates(R& rates, Visit&& visit) {
@@ -65,16 +86,25 @@ void visit_rates(R& rates, Visit&& visit) {
   visit("CorrectionMatrices", rates.correction);
   visit("GravityAccelerations", rates.g);
   visit("GravityRates", rates.dg_dt);
+  visit_some(visit, "EnergyRates", rates.du_dt);
+  visit_some(visit, "ViscousHeatingRates", rates.viscous_heating);
 }
 template <class R, class Visit>
 void visit_restart(R& restart, Visit&& visit) {
   visit("ListCoordinates", restart.list_x);
 }
 
-inline void resize(State& state, std::size_t n) {
+/// Which optional fields are in use.
+struct OptionalFields {
+  bool energy = false, damage = false;
+};
+inline void resize(State& state, std::size_t n, OptionalFields use = {}) {
+  if (use.energy) state.u.resize(n), state.viscous_heat.resize(n), state.friction_heat.resize(n);
+  if (use.damage) state.damage_cbrt.resize(n);
   visit_state(state, [n](const char*, auto& array) { array.resize(n); });
 }
-inline void resize(Rates& rates, std::size_t n) {
+inline void resize(Rates& rates, std::size_t n, OptionalFields use = {}) {
+  if (use.energy) rates.du_dt.resize(n), rates.viscous_heating.resize(n);
   visit_rates(rates, [n](const char*, auto& array) { array.resize(n); });
 }
 

@@ -15,6 +15,15 @@
 namespace eerie {
 using nlohmann::json;
 
+void to_json(json& j, const Scene::Wall& wall) {
+  j = {{"face", wall.face}, {"at_m", wall.at_m}, {"kind", wall.kind}};
+}
+void from_json(const json& j, Scene::Wall& wall) {
+  j.at("face").get_to(wall.face);
+  j.at("at_m").get_to(wall.at_m);
+  j.at("kind").get_to(wall.kind);
+}
+
 namespace {
 
 /// The one table of scene fields: JSON path <-> member. Reading and writing both walk it.
@@ -37,14 +46,32 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/material/tillotson/u_cv_J_per_kg", s.material.tillotson.u_cv_J_per_kg);
   visit("/material/tillotson/alpha", s.material.tillotson.alpha);
   visit("/material/tillotson/beta", s.material.tillotson.beta);
+  visit("/material/linear/bulk_modulus_Pa", s.material.linear.bulk_modulus_Pa);
+  visit("/material/ideal_gas/gamma", s.material.ideal_gas.gamma);
+  visit("/material/energy", s.material.energy);
   visit("/material/rheology", s.material.rheology);
   visit("/material/drucker_prager/phi_d_deg", s.material.drucker_prager.phi_d_deg);
   visit("/material/drucker_prager/cohesion_Pa", s.material.drucker_prager.cohesion_Pa);
+  visit("/material/lundborg/Y_0_Pa", s.material.lundborg.Y_0_Pa);
+  visit("/material/lundborg/Y_M_Pa", s.material.lundborg.Y_M_Pa);
+  visit("/material/lundborg/mu_i", s.material.lundborg.mu_i);
+  visit("/material/lundborg/u_melt_J_per_kg", s.material.lundborg.u_melt_J_per_kg);
+  visit("/material/fracture", s.material.fracture);
+  visit("/material/grady_kipp/k_per_m3", s.material.grady_kipp.k_per_m3);
+  visit("/material/grady_kipp/m", s.material.grady_kipp.m);
+  visit("/material/grady_kipp/crack_speed", s.material.grady_kipp.crack_speed);
+  visit("/environment/self_gravity", s.environment.self_gravity);
+  visit("/environment/gravity_m_per_s2", s.environment.gravity_m_per_s2);
+  visit("/environment/walls", s.environment.walls);
   visit("/numerics/particles_per_target", s.numerics.particles_per_target);
   visit("/numerics/seed", s.numerics.seed);
   visit("/numerics/packing", s.numerics.packing);
   visit("/numerics/kernel", s.numerics.kernel);
   visit("/numerics/h_over_spacing", s.numerics.h_over_spacing);
+  visit("/numerics/smoothing", s.numerics.smoothing);
+  visit("/numerics/gradient", s.numerics.gradient);
+  visit("/numerics/artificial_stress", s.numerics.artificial_stress);
+  visit("/numerics/integrator", s.numerics.integrator);
   visit("/numerics/viscosity_alpha", s.numerics.viscosity_alpha);
   visit("/numerics/viscosity_beta", s.numerics.viscosity_beta);
   visit("/numerics/cfl", s.numerics.cfl);
@@ -79,6 +106,41 @@ std::string sha256_hex(const std::string& text) {
   return hex;
 }
 
+/// What no single field's range can say.
+void require_consistent(const Scene& scene, const std::string& where) {
+  const Scene::Material& m = scene.material;
+  if (m.eos == "ideal-gas" && m.energy != "integrated")
+    throw InputError(where +
+                     ".material.energy = \"none\": the pressure of an ideal gas is its heat; "
+                     "set material.energy to \"integrated\"");
+  if (m.fracture != "none" && m.rheology != "lundborg")
+    throw InputError(
+        fmt::format("{}.material.fracture = \"{}\": material of rheology \"{}\" cannot break; set "
+                    "material.rheology to \"lundborg\" or material.fracture to \"none\"",
+                    where, m.fracture, m.rheology));
+  if (m.rheology == "lundborg" && m.lundborg.Y_M_Pa <= m.lundborg.Y_0_Pa)
+    throw InputError(
+        fmt::format("{}.material.lundborg.Y_M_Pa = {:g}: must be greater than Y_0_Pa = {:g}", where,
+                    m.lundborg.Y_M_Pa, m.lundborg.Y_0_Pa));
+  const std::vector<Scene::Wall>& walls = scene.environment.walls;
+  for (std::size_t a = 0; a < walls.size(); ++a)
+    for (std::size_t b = a + 1; b < walls.size(); ++b) {
+      if (walls[a].face == walls[b].face)
+        throw InputError(
+            fmt::format("{}.environment.walls[{}].face = \"{}\": there is such a wall "
+                        "already; give each face at most one",
+                        where, b, walls[b].face));
+      if (walls[a].face[0] != walls[b].face[0]) continue;
+      const bool a_low = walls[a].face.ends_with("_low");
+      const Scene::Wall &low = a_low ? walls[a] : walls[b], &high = a_low ? walls[b] : walls[a];
+      if (low.at_m >= high.at_m)
+        throw InputError(
+            fmt::format("{}.environment.walls: {} at {:g} m is not below {} at {:g} m; "
+                        "exchange their at_m",
+                        where, low.face, low.at_m, high.face, high.at_m));
+    }
+}
+
 }  // namespace
 
 const json& scene_schema() {
@@ -95,6 +157,7 @@ Scene parse_scene(const json& given, const std::string& where) {
   visit_fields(scene, [&](const char* path, auto& member) {
     document.at(json::json_pointer(path)).get_to(member);
   });
+  require_consistent(scene, where);
   if (impactor_particles(scene) < 100)
     throw InputError(fmt::format(
         "{}.impact.q = {}: the impactor would have {} particles and needs at least 100; "

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 namespace eerie {
 
@@ -28,21 +30,59 @@ struct Scene {
     double phi_d_deg;    ///< friction angle; mu_d = tan(phi_d)
     double cohesion_Pa;  ///< yield strength at zero pressure
   };
+  struct Linear {
+    double bulk_modulus_Pa;
+  };
+  struct IdealGas {
+    double gamma;
+  };
+  struct Lundborg {
+    double Y_0_Pa, Y_M_Pa;   ///< strength at zero and at infinite pressure
+    double mu_i;             ///< friction of intact rock
+    double u_melt_J_per_kg;  ///< where strength ends
+  };
+  struct GradyKipp {
+    double k_per_m3, m;  ///< Weibull's distribution of flaws, n(eps) = k eps^m
+    double crack_speed;  ///< of the longitudinal wave
+  };
   struct Material {
     double rho0_kg_per_m3;
     double shear_modulus_Pa;
-    std::string eos;  ///< "tillotson"
+    std::string eos;  ///< "tillotson", "linear" or "ideal-gas"
     Tillotson tillotson;
-    std::string rheology;  ///< "drucker-prager" or "fluid"
+    Linear linear;
+    IdealGas ideal_gas;
+    std::string energy;    ///< "none" (u = 0) or "integrated"
+    std::string rheology;  ///< "drucker-prager", "fluid", "elastic" or "lundborg"
     DruckerPrager drucker_prager;
+    Lundborg lundborg;
+    std::string fracture;  ///< "none" or "grady-kipp"
+    GradyKipp grady_kipp;
   } material;
+
+  /// A plane that particles do not cross; what is beyond it is their mirror image.
+  struct Wall {
+    std::string face;  ///< "x_low", "x_high", "y_low", ...: the side of the scene it closes
+    double at_m;       ///< where it stands on its axis
+    std::string kind;  ///< "slip" (no friction) or "rough" (sticks; friction is the material's)
+    bool operator==(const Wall&) const = default;
+  };
+  struct Environment {
+    bool self_gravity;
+    std::array<double, 3> gravity_m_per_s2;  ///< uniform, added to self-gravity
+    std::vector<Wall> walls;                 ///< at most one for each face
+  } environment;
 
   struct Numerics {
     std::int64_t particles_per_target;
-    std::int64_t seed;      ///< decides every random number of the run
-    std::string packing;    ///< "glass" or "lattice" (randomly oriented)
-    std::string kernel;     ///< "cubic-spline", ...
-    double h_over_spacing;  ///< smoothing length over (m/rho0)^(1/3), constant in time
+    std::int64_t seed;         ///< decides every random number of the run
+    std::string packing;       ///< "glass" or "lattice" (randomly oriented)
+    std::string kernel;        ///< "cubic-spline", ...
+    double h_over_spacing;     ///< smoothing length over (m/rho0)^(1/3), constant in time
+    std::string smoothing;     ///< "constant" h or "evolving", h ~ rho^(-1/3)
+    std::string gradient;      ///< "corrected", "corrected-rate" or "plain"
+    double artificial_stress;  ///< of Gray, Monaghan & Swift (2001); 0: off
+    std::string integrator;    ///< "leapfrog" or "leapfrog-pece"
     double viscosity_alpha, viscosity_beta;
     double cfl;                     ///< dt = cfl h / (c_l + h |div v|), c_l: longitudinal wave
     double opening_angle;           ///< Barnes-Hut: node size over distance
@@ -84,5 +124,8 @@ double smoothing_length(const Scene& scene);
 std::int64_t impactor_particles(const Scene& scene);
 double contact_distance(const Scene& scene);
 double friction_coefficient(const Scene& scene);
+/// Whether particles carry an internal energy, and a damage that grows.
+inline bool has_energy(const Scene& scene) { return scene.material.energy == "integrated"; }
+inline bool has_fracture(const Scene& scene) { return scene.material.fracture != "none"; }
 
 }  // namespace eerie

@@ -48,6 +48,13 @@ std::string field_names(const json& node) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// "3 entries" or "at most 6 entries".
+std::string length_allowed(const json& schema) {
+  const std::size_t least = schema.value("minItems", std::size_t{0}),
+                    most = schema.value("maxItems", std::size_t{1000});
+  return fmt::format("{}{} entries", least == most ? "" : "at most ", most);
+}
+
 /// Walks document and schema together; returns the first fault as a sentence, or "".
 /// valijson decides *whether* a document is valid; this finds *where*, in the user's terms.
 std::string first_fault(const json& schema, const json& document, const std::string& path) {
@@ -81,6 +88,19 @@ std::string first_fault(const json& schema, const json& document, const std::str
     }
     return "";
   }
+  if (type == "array") {
+    if (!document.is_array()) return fault("must be an array [...]");
+    if (document.size() < schema.value("minItems", std::size_t{0}) ||
+        document.size() > schema.value("maxItems", std::size_t{1000}))
+      return fault(fmt::format("must have {}", length_allowed(schema)));
+    for (std::size_t k = 0; k < document.size(); ++k)
+      if (std::string text =
+              first_fault(schema["items"], document[k], fmt::format("{}[{}]", path, k));
+          !text.empty())
+        return text;
+    return "";
+  }
+  if (type == "boolean" && !document.is_boolean()) return fault("must be true or false");
   if (schema.contains("enum")) {
     for (const json& word : schema["enum"])
       if (word == document) return "";
@@ -150,6 +170,8 @@ json with_defaults(const json& schema, json document) {
           with_defaults(child, document.contains(name) ? document[name] : json::object());
     else if (!document.contains(name) && child.contains("default"))
       document[name] = child["default"];
+    else if (child.value("type", "") == "array" && child["items"].contains("properties"))
+      for (json& item : document[name]) item = with_defaults(child["items"], std::move(item));
   }
   return document;
 }

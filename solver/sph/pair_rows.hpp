@@ -8,12 +8,16 @@
 
 namespace eerie {
 
-/// What a neighbour contributes to pair sums: twenty numbers in five blocks of four.
+/// What a neighbour contributes to pair sums: twenty numbers in five blocks of four, and eight
+/// more in scenes with evolving smoothing lengths or artificial stress.
 /// Positions and velocities are relative to the first particle of the row's bucket, subtracted
 /// in double, so that single precision keeps differences to a part in 1e7 of a bucket.
+template <class Real, bool extended>
+struct PairRow;
+
 template <class Real>
-struct alignas(4 * sizeof(Real)) PairRow {
-  static constexpr int stride = 20, geometry_blocks = 2, blocks = 5;
+struct alignas(4 * sizeof(Real)) PairRow<Real, false> {
+  static constexpr int stride = 20;
   Real x, y, z;     ///< m
   Real V;           ///< volume m/rho, m^3
   Real vx, vy, vz;  ///< m/s
@@ -22,12 +26,19 @@ struct alignas(4 * sizeof(Real)) PairRow {
   Real c;           ///< sound speed, m/s
   Real unused[2];
 };
+template <class Real>
+struct alignas(4 * sizeof(Real)) PairRow<Real, true> : PairRow<Real, false> {
+  static constexpr int stride = 28;
+  Real R[6];       ///< artificial stress, xx yy zz xy xz yz, Pa
+  Real inverse_h;  ///< 1/m
+  Real weight;     ///< (h0/h)^5: its kernel gradient's normalisation over that of h0
+};
 
 /// Rows of all particles in memory order, and the copy of one bucket's surroundings.
-template <class Real>
+template <class Real, bool extended>
 class PairRows {
  public:
-  using Row = PairRow<Real>;
+  using Row = PairRow<Real, extended>;
 
   void resize(std::size_t particles) {
     rows_.resize(particles);
@@ -48,8 +59,18 @@ class PairRows {
     for (int k = 0; k < 9; ++k) rows_[i].T[k] = real(T[k / 3][k % 3]);
   }
 
+  /// R in Pa; h in m, h0 the scene's.
+  void set_extra(std::size_t i, const SymTensor& R, double h, double h0) requires extended {
+    Row& r = rows_[i];
+    r.R[0] = real(R.xx), r.R[1] = real(R.yy), r.R[2] = real(R.zz);
+    r.R[3] = real(R.xy), r.R[4] = real(R.xz), r.R[5] = real(R.yz);
+    const double ratio = h0 / h, ratio2 = ratio * ratio;
+    r.inverse_h = real(1 / h), r.weight = real(ratio2 * ratio2 * ratio);
+  }
+
   /// Copies the rows of `list` relative to the origin of `bucket`, with the dummy row last.
-  void gather(std::size_t bucket, const BucketList& list, std::vector<Row>& local) const {
+  void gather(std::size_t bucket, const NeighbourList& lists, std::vector<Row>& local) const {
+    const BucketList& list = lists[bucket];
     local.resize(list.rows.size() + 1);
     const Origin& home = origins_[bucket];
     for (std::size_t k = 0; k < list.rows.size(); ++k) {
@@ -61,16 +82,36 @@ class PairRows {
       r.vx += real(o.v.x - home.v.x), r.vy += real(o.v.y - home.v.y),
           r.vz += real(o.v.z - home.v.z);
     }
+    for (std::size_t k = 0; k < list.images.size(); ++k)
+      if (list.images[k] > 0)
+        local[k] = mirrored(list.rows[k], lists.images()[list.images[k] - 1u], home);
     // Far away, at rest, without volume: every pair with it contributes exactly nothing.
     local.back() = Row{};
     local.back().x = Real(1e9);
     local.back().rho = 1;
+    if constexpr (extended) local.back().inverse_h = 1;
   }
 
  private:
   struct Origin {
     Vec3 x, v;
   };
+  /// The row of particle j as seen in a mirror.
+  Row mirrored(std::uint32_t j, const Image& image, const Origin& home) const {
+    const Origin& o = origins_[j / bucket_size];
+    Row r = rows_[j];
+    const Vec3 x = image(o.x + Vec3{double(r.x), double(r.y), double(r.z)}) - home.x;
+    const Vec3 v = o.v + Vec3{double(r.vx), double(r.vy), double(r.vz)};
+    const Vec3 &sv = image.velocity_sign, &st = image.stress_sign;
+    r.x = real(x.x), r.y = real(x.y), r.z = real(x.z);
+    r.vx = real(sv.x * v.x - home.v.x), r.vy = real(sv.y * v.y - home.v.y),
+    r.vz = real(sv.z * v.z - home.v.z);
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) r.T[3 * a + b] *= real(st[a] * st[b]);
+    if constexpr (extended)
+      r.R[3] *= real(st.x * st.y), r.R[4] *= real(st.x * st.z), r.R[5] *= real(st.y * st.z);
+    return r;
+  }
   static Real real(double value) { return static_cast<Real>(value); }
   std::vector<Row> rows_;
   std::vector<Origin> origins_;

@@ -10,6 +10,13 @@ namespace eerie {
 /// correction (a plane or a line of them, or none) and the identity is used.
 inline constexpr double smallest_correctable_determinant = 0.01;
 
+/// Whether C says that a particle with a full neighbourhood has all of it in one plane or line,
+/// which no sound arrangement does: a collapse. trace C is 3 inside a body and below 1 for pairs,
+/// chains and single particles, which go uncorrected by right.
+inline bool is_collapsed(const SymTensor& C) {
+  return !(determinant(C) > smallest_correctable_determinant) && !(trace(C) < 1);
+}
+
 /// L = C^-1, which makes the SPH gradient exact for linear fields (Bonet & Lok 1999).
 inline SymTensor correction_matrix(const SymTensor& C) {
   const double det = determinant(C);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <variant>
 #include <vector>
 
@@ -8,13 +9,15 @@
 #include "solver/particles/state.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/sph/pair_sums.hpp"
+#include "solver/step/integrator.hpp"
 #include "solver/tree/gravity.hpp"
 #include "solver/tree/kd_tree.hpp"
 #include "solver/tree/neighbour_list.hpp"
 
 namespace eerie {
 
-/// Integrates one State. Equations and scheme: docs/equations.md.
+/// Integrates one State under the laws of a Scene (its bodies and impact are not looked at).
+/// Equations and scheme: docs/equations.md.
 ///
 /// A predictor-corrector leapfrog with one evaluation of the elastic and frictional forces per
 /// step. Gravity is evaluated every `gravity_interval` steps and extrapolated linearly in
@@ -22,14 +25,15 @@ namespace eerie {
 /// cycles.
 class Solver {
  public:
-  /// Takes the state, sorts it into memory order and evaluates its first rates.
+  /// Takes the state, sorts it into memory order and evaluates its first rates. Fields of
+  /// optional physics that the state lacks start at zero energy and undamaged.
   Solver(const Scene& scene, State state);
   /// Goes on from a checkpoint: memory order, lists, rates and pressures as they were.
   Solver(const Scene& scene, State state, Rates rates, const Restart& restart,
          std::vector<double> pressure);
 
   /// One cycle of gravity_interval steps, shorter where `end_time` is near. Throws
-  /// NumericalError when the state stops being physical.
+  /// NumericalError when the state stops being physical; the state is then of no use.
   void cycle(double end_time);
 
   /// Multiplies all velocities; for settling bodies before a run.
@@ -37,47 +41,86 @@ class Solver {
 
   const State& state() const { return state_; }
   const Rates& rates() const { return rates_; }
-  Restart restart() const { return {lists_.built_at()}; }
+  Restart restart() const { return {lists_.built_at(), lists_.support()}; }
   const std::vector<double>& pressure() const { return pressure_; }
+  const Material& material() const { return material_; }
   double dt() const { return dt_; }
   const StageTimes& stages() const { return stages_; }
   StageTimes& stages() { return stages_; }
   long list_builds() const { return list_builds_; }
+  /// Particles of the last evaluation whose gradient has too few neighbours to be corrected.
+  long uncorrected() const { return uncorrected_; }
+
+  // The moves of an integrator (integrator.hpp).
+  void kick_and_drift(double kick, double drift);
+  void evaluate(double ahead);
+  void kick(double duration);
 
  private:
-  using Sums = std::variant<PairSums<float, CubicSpline>, PairSums<float, WendlandC2>,
-                            PairSums<float, WendlandC4>, PairSums<double, CubicSpline>,
-                            PairSums<double, WendlandC2>, PairSums<double, WendlandC4>>;
-  static Sums make_sums(const Scene& scene);
+  static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
+  template <bool extended>
+  using SumsOf =
+      std::variant<PairSums<float, CubicSpline, extended>, PairSums<float, WendlandC2, extended>,
+                   PairSums<float, WendlandC4, extended>, PairSums<double, CubicSpline, extended>,
+                   PairSums<double, WendlandC2, extended>, PairSums<double, WendlandC4, extended>>;
+  using Sums = std::variant<SumsOf<false>, SumsOf<true>>;
+  Sums make_sums() const;
+  template <class Visit>
+  void visit_sums(Visit&& visit) {
+    std::visit([&](auto& family) { std::visit(visit, family); }, sums_);
+  }
+
+  /// What the pair sums need of a particle besides the arrays of this class.
+  struct Predicted {
+    double rho, c;
+  };
+  enum class Gradient { corrected, corrected_rate, plain };
 
   void step();
-  void evaluate_rates();
-  void kick_and_drift();
+  void heat(double duration);
   void update_lists();
   void reorder();
-  void predict_material();
-  void sum_over_neighbours();
-  void final_kick();
+  void predict_material(double ahead);
+  void apply_laws(std::size_t bucket, double ahead, std::array<Predicted, bucket_size>& out);
+  void fill_rows(std::size_t bucket, double ahead,
+                 const std::array<Predicted, bucket_size>& predicted);
+  void sum_over_neighbours(double ahead);
+  void grow_damage(double duration);
   void evaluate_gravity(double elapsed);
+
+  bool evolving_h() const;
+  double smoothing_length(double rho) const;
+  double largest_support() const;
+  Condition condition(std::size_t i, double ahead) const;
+  Mat3 momentum_flux(std::size_t i) const;
+  SymTensor artificial_stress(std::size_t i) const;
   double gravity_age() const { return dt_ * static_cast<double>(since_gravity_); }
   Vec3 gravity(std::size_t i, double age) const { return rates_.g[i] + age * rates_.dg_dt[i]; }
   double time_step() const;
-  void check(std::size_t offender, const char* kind) const;
 
+  void expect_speeds();
+  void check_positions();
+  void check(std::size_t offender, const char* kind, const char* remedy) const;
+
+  Scene scene_;
   State state_;
   Rates rates_;
   Material material_;
+  OptionalFields fields_;
+  Gradient gradient_;
+  Flaws flaws_;
   Sums sums_;
+  Integrator integrator_;
   Gravity gravity_;
   NeighbourList lists_;
   KdTree tree_;
   std::vector<SymTensor> S_predicted_;  ///< yielded, at the time of the rates
   std::vector<double> pressure_;        ///< at the time of the rates
-  double cfl_;
-  long gravity_interval_;
-  long since_gravity_ = 0;  ///< steps since gravity was evaluated
+  long since_gravity_ = 0;              ///< steps since gravity was evaluated
   double dt_ = 0;
-  long list_builds_ = 0;
+  long list_builds_ = 0, uncorrected_ = 0;
+  /// No particle gets further than reach + fastest_expected (t - begun).
+  double reach_ = 0, fastest_expected_ = 0, begun_ = 0;
   StageTimes stages_;
 };
 

@@ -11,6 +11,10 @@ struct Totals {
   double mass = 0;
   Vec3 momentum, angular_momentum;
   double kinetic_energy = 0, potential_energy = 0;
+  // With an energy equation, else 0. Internal energy holds elastic energy and both heats.
+  double internal_energy = 0, viscous_heat = 0, friction_heat = 0;
+
+  double energy() const { return kinetic_energy + potential_energy + internal_energy; }
 };
 
 /// `state` must be in memory order (as a Solver or a snapshot holds it).

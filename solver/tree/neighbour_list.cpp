@@ -28,12 +28,13 @@ struct Builder {
   const std::vector<Vec3>& x;
   std::size_t loose_neighbours;
   double support, radius, far_radius;
+  const std::vector<Image>& images;
   std::vector<float>& slack;
   Local local;
   std::vector<std::uint32_t> stack;
   std::vector<std::uint16_t> found;
 
-  /// Ranges of particles that `box` may reach, own bucket excluded, in tree order.
+  /// Particles that `box` may reach, bucket `own` excluded, in tree order.
   void collect(const Box& box, std::uint32_t own, BucketList& list) {
     const double r2 = radius * radius;
     stack.assign(1, 0);
@@ -52,6 +53,16 @@ struct Builder {
     }
   }
 
+  /// Mirror images that `box` may reach, of any bucket: an image of `box` reaches the particle.
+  void collect_images(const Box& box, BucketList& list) {
+    constexpr std::uint32_t none_left_out = 0xffffffff;
+    list.images.assign(list.rows.size(), 0);
+    for (std::size_t k = 0; k < images.size(); ++k) {
+      collect(images[k](box), none_left_out, list);
+      list.images.resize(list.rows.size(), static_cast<std::uint8_t>(k + 1));
+    }
+  }
+
   void build(std::uint32_t bucket, BucketList& list) {
     const auto first = static_cast<std::uint32_t>(bucket * bucket_size);
     const auto last =
@@ -59,22 +70,28 @@ struct Builder {
     Box box;
     for (std::uint32_t i = first; i < last; ++i) box.include(x[i]);
     list.rows.clear();
+    list.images.clear();
     list.index.clear();
     for (std::uint32_t i = first; i < last; ++i) list.rows.push_back(i);
     collect(box, bucket, list);
+    if (!images.empty()) collect_images(box, list);
     if (list.rows.size() >= 65535)
       throw NumericalError(
           "collapse", -1, static_cast<long>(first),
           fmt::format("{} particles crowd around one bucket of {}", list.rows.size(), bucket_size));
     const Vec3 centre = box.centre();
     local.clear();
-    for (std::uint32_t j : list.rows) local.push(x[j] - centre);
+    for (std::size_t k = 0; k < list.rows.size(); ++k) {
+      const Vec3& at = x[list.rows[k]];
+      const bool mirrored = !list.images.empty() && list.images[k] > 0;
+      local.push((mirrored ? images[list.images[k] - 1u](at) : at) - centre);
+    }
     while (local.x.size() % lanes<float> != 0) local.push({1e9, 1e9, 1e9});
     for (std::uint32_t k = 0; k < last - first; ++k) {
       list.begin[k] = static_cast<std::uint32_t>(list.index.size());
       const std::size_t neighbours = append_neighbours(k, list);
       // Bulk particles need no slack of their own: their nearest unlisted one is a skin away.
-      slack[first + k] = neighbours > loose_neighbours
+      slack[first + k] = neighbours > loose_neighbours || !images.empty()
                              ? -1.0f
                              : static_cast<float>(unlisted_distance(first + k) - support);
     }
@@ -136,9 +153,17 @@ void NeighbourList::build(const KdTree& tree, const std::vector<Vec3>& x) {
   std::string failure;
 #pragma omp parallel
   {
-    Builder builder{
-        tree, x, loose_neighbours, support_, support_ + skin_, support_ + sight * skin_, slack_, {},
-        {},   {}};
+    Builder builder{tree,
+                    x,
+                    loose_neighbours,
+                    support_,
+                    support_ + skin_,
+                    support_ + sight * skin_,
+                    images_,
+                    slack_,
+                    {},
+                    {},
+                    {}};
 #pragma omp for schedule(dynamic, 4)
     for (std::size_t b = 0; b < buckets_.size(); ++b) {
       try {
@@ -195,7 +220,8 @@ NeighbourList::RigidMotion NeighbourList::bulk_motion(const std::vector<Vec3>& x
 /// x -> x + D + W x (x - centre) never brings them closer, so what counts is how far each strays
 /// from that motion. For a loose particle, far out where W x r is large, D alone is taken out.
 bool NeighbourList::used_up(const std::vector<Vec3>& x) const {
-  const RigidMotion bulk = bulk_motion(x);
+  // Walls stand still, so with them there is no motion to take out.
+  const RigidMotion bulk = images_.empty() ? bulk_motion(x) : RigidMotion{};
   double strayed = 0, bulk_moved = 0;
 #pragma omp parallel for reduction(max : strayed, bulk_moved) schedule(static)
   for (std::size_t i = 0; i < x.size(); ++i) {

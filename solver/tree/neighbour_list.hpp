@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/base/tensor.hpp"
+#include "solver/tree/images.hpp"
 #include "solver/tree/kd_tree.hpp"
 
 namespace eerie {
@@ -14,6 +15,7 @@ namespace eerie {
 /// `padding` with the union's length, the place of a dummy row that contributes nothing.
 struct BucketList {
   std::vector<std::uint32_t> rows;                     ///< particles, by memory index
+  std::vector<std::uint8_t> images;                    ///< with walls, of each row: see Image
   std::vector<std::uint16_t> index;                    ///< all lists one after another
   std::array<std::uint32_t, bucket_size + 1> begin{};  ///< list k: index[begin[k]..begin[k+1])
 };
@@ -23,13 +25,19 @@ struct BucketList {
 /// That is judged relative to the rigid motion of the bulk, so that a settled body that flies
 /// and spins needs no new lists; loose particles with few neighbours are judged by the real
 /// distance to the nearest one that they do not list. All of it is a pure function of memory
-/// order and positions, for any number of threads.
+/// order and positions, for any number of threads. With walls, mirror images of particles are
+/// neighbours too, and lists are judged by plain displacement.
 class NeighbourList {
  public:
   static constexpr std::size_t padding = 16;
 
   /// `support`: kernel support radius, m; `skin`: extra radius, m.
-  NeighbourList(double support, double skin) : support_(support), skin_(skin) {}
+  NeighbourList(double support, double skin, std::vector<Image> images = {})
+      : support_(support), skin_(skin), images_(std::move(images)) {}
+
+  /// For the next build; smoothing lengths that evolve need it.
+  void set_support(double support) { support_ = support; }
+  double support() const { return support_; }
 
   /// Builds all lists; `tree` must be fitted to `x`. Throws NumericalError when a bucket's
   /// surroundings exceed 65,534 particles (a numerical collapse).
@@ -37,6 +45,9 @@ class NeighbourList {
 
   /// Whether some pair may have come within the support unnoticed.
   bool used_up(const std::vector<Vec3>& x) const;
+
+  /// Row image k of a bucket's list: 0 is the particle itself, k > 0 images()[k - 1] of it.
+  const std::vector<Image>& images() const { return images_; }
 
   const BucketList& operator[](std::size_t bucket) const { return buckets_[bucket]; }
   std::size_t buckets() const { return buckets_.size(); }
@@ -57,6 +68,7 @@ class NeighbourList {
   bool is_bulk(std::size_t i) const { return slack_[i] < 0; }
 
   double support_, skin_;
+  std::vector<Image> images_;
   std::vector<BucketList> buckets_;
   std::vector<Vec3> built_at_;
   std::vector<float> slack_;  ///< of loose particles: way to go before an unlisted pair meets, m

@@ -46,12 +46,18 @@ inline void fill(Random&, std::uint32_t&) {}
 inline Snapshot random_snapshot(std::size_t n, bool checkpoint = true) {
   Random random(7, n);
   Snapshot s;
-  s.scene = parse_scene({{"impact", {{"v_imp_cm_per_s", 20.1}}}});
+  s.scene = parse_scene(
+      {{"impact", {{"v_imp_cm_per_s", 20.1}}},
+       {"material",
+        {{"energy", "integrated"}, {"rheology", "lundborg"}, {"fracture", "grady-kipp"}}},
+       {"environment",
+        {{"gravity_m_per_s2", {0, 0.1, -1}},
+         {"walls", {{{"face", "z_low"}, {"at_m", -60.5}, {"kind", "rough"}}}}}}});
   s.state.time = 1234.5 / 7;
   s.state.step = 321;
   s.state.mass = 1.0e5 / 3;
   s.state.h = 8.1 / 7;
-  resize(s.state, n);
+  resize(s.state, n, {true, true});
   s.pressure.resize(n);
   const auto fill_all = [&](const char*, auto& array) {
     for (auto& value : array) fill(random, value);
@@ -66,9 +72,10 @@ inline Snapshot random_snapshot(std::size_t n, bool checkpoint = true) {
     std::swap(s.state.id[i],
               s.state.id[static_cast<std::size_t>(random.uniform() * static_cast<double>(i + 1))]);
   if (checkpoint) {
-    resize(s.rates.emplace(), n);
+    resize(s.rates.emplace(), n, {true, true});
     visit_rates(*s.rates, fill_all);
-    visit_restart(s.restart.emplace(), [&](const char* name, auto& array) {
+    s.restart.emplace().list_support = 2.3 / 7;
+    visit_restart(*s.restart, [&](const char* name, auto& array) {
       array.resize(n);
       fill_all(name, array);
     });
@@ -107,8 +114,10 @@ inline std::vector<std::string> differences(const Snapshot& a, const Snapshot& b
   note(a.restart.has_value() == b.restart.has_value(), "restart");
   if (a.rates && b.rates)
     against([](const auto& r, auto&& visit) { visit_rates(r, visit); }, *a.rates, *b.rates);
-  if (a.restart && b.restart)
+  if (a.restart && b.restart) {
+    note(a.restart->list_support == b.restart->list_support, "list_support");
     against([](const auto& r, auto&& visit) { visit_restart(r, visit); }, *a.restart, *b.restart);
+  }
   return found;
 }
 

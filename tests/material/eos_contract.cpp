@@ -57,6 +57,10 @@ TYPED_TEST(EosContract, UncompressedColdMaterialHasNoPressure) {
 }
 
 TYPED_TEST(EosContract, ReferenceSoundSpeedIsThatOfUncompressedColdMaterial) {
+  if (!TypeParam::is_cold) {
+    EXPECT_EQ(TypeParam(this->materials[0]).reference_sound_speed(), 0);
+    return;
+  }
   for (const auto& m : this->materials) {
     const TypeParam eos(m);
     // The same formula in another order: rounding only.
@@ -69,7 +73,9 @@ TYPED_TEST(EosContract, ColdCompressionRaisesPressureAndSoundSpeed) {
     const TypeParam eos(m);
     for (double eta = 1; eta < 1.5; eta += 0.01) {
       const double rho = eta * m.rho0_kg_per_m3;
-      EXPECT_GT(eos(rho * 1.01, 0).p, eos(rho, 0).p);
+      // What has no cold pressure has it when warm.
+      const double u = TypeParam::is_cold ? 0 : 1e3;
+      EXPECT_GT(eos(rho * 1.01, u).p, eos(rho, u).p);
       EXPECT_GE(eos(rho * 1.01, 0).c, eos(rho, 0).c * (1 - 1e-12));
     }
   }
@@ -120,13 +126,13 @@ TYPED_TEST(EosContract, SoundSpeedIsTheAdiabaticDerivativeOfPressure) {
         const double reference = eos.reference_sound_speed() * eos.reference_sound_speed();
         // Steps of 1e-5: truncation about 1e-10, rounding of p about 1e-11 relative to p/dp.
         const double c2_given = point.c * point.c, tolerance = 1e-5 * std::max(c2, reference);
-        EXPECT_GT(c2_given, c2 - tolerance) << "rho " << rho << " u " << u;
+        EXPECT_GE(c2_given, c2 - tolerance) << "rho " << rho << " u " << u;
         // A law may keep c above a floor where it is not hyperbolic, up to the reference speed.
         if (c2 < reference && c2_given > c2 + tolerance) {
           EXPECT_LE(c2_given, reference * (1 + 1e-12)) << "rho " << rho << " u " << u;
           continue;
         }
-        EXPECT_LT(c2_given, c2 + tolerance) << "rho " << rho << " u " << u;
+        EXPECT_LE(c2_given, c2 + tolerance) << "rho " << rho << " u " << u;
         ++compared;
       }
   }
@@ -138,7 +144,7 @@ TYPED_TEST(EosContract, DensityAtInvertsColdPressure) {
     const TypeParam eos(m);
     const double stiffness =
         m.rho0_kg_per_m3 * eos.reference_sound_speed() * eos.reference_sound_speed();
-    for (double p = 1e-6 * stiffness; p < stiffness; p *= 3)
+    for (double p = 1e-6 * stiffness; TypeParam::is_cold && p < stiffness; p *= 3)
       // rho - rho0 keeps 1e-16/1e-6 of its digits at the lowest pressure.
       EXPECT_NEAR(eos(eos.density_at(p), 0).p / p, 1, 1e-9);
     EXPECT_EQ(eos.density_at(0), m.rho0_kg_per_m3);

@@ -82,11 +82,48 @@ TEST(Tillotson, SoundSpeedStaysRealWhereTheLawIsNot) {
   for (double rho = 1; rho < 2700; rho *= 1.3) EXPECT_GT(eos(rho, 0).c, 0);
 }
 
+TEST(Lundborg, StrengthRunsFromCohesionToTheVonMisesLimit) {
+  Scene::Material m = small_scene().material;
+  const Lundborg law(m);
+  const Scene::Lundborg& k = m.lundborg;
+  EXPECT_DOUBLE_EQ(law.yield_stress(0, {0, 0}), k.Y_0_Pa);
+  // Half way up where mu_i p = Y_M - Y_0 (Collins, Melosh & Ivanov 2004, eq. 15).
+  const double half = (k.Y_M_Pa - k.Y_0_Pa) / k.mu_i;
+  EXPECT_DOUBLE_EQ(law.yield_stress(half, {0, 0}), (k.Y_0_Pa + k.Y_M_Pa) / 2);
+  EXPECT_NEAR(law.yield_stress(1e15, {0, 0}) / k.Y_M_Pa, 1, 1e-5);  // (Y_M - Y_0)/(mu_i p)
+  EXPECT_DOUBLE_EQ(law.yield_stress(-1e9, {0, 0}), k.Y_0_Pa);       // tension counts as zero
+}
+
+TEST(Lundborg, HeatSoftensAndMeltHasNoStrength) {
+  const Scene::Material m = small_scene().material;
+  const Lundborg law(m);
+  const double melt = m.lundborg.u_melt_J_per_kg;
+  EXPECT_DOUBLE_EQ(law.yield_stress(1e6, {melt / 4, 0}), 0.75 * law.yield_stress(1e6, {0, 0}));
+  EXPECT_EQ(law.yield_stress(1e9, {melt, 0}), 0);
+  EXPECT_EQ(law.yield_stress(1e9, {2 * melt, 0.5}), 0);
+}
+
+TEST(Lundborg, RubbleHasFrictionUpToTheStrengthOfRock) {
+  const Scene::Material m = with_friction(40, 2);
+  const Lundborg law(m);
+  EXPECT_DOUBLE_EQ(law.yield_stress(100, {0, 1}), 2 + 100 * std::tan(radians(40)));
+  EXPECT_DOUBLE_EQ(law.yield_stress(1e12, {0, 1}), law.yield_stress(1e12, {0, 0}));
+  EXPECT_DOUBLE_EQ(law.yield_stress(100, {0, 0.5}),
+                   (law.yield_stress(100, {0, 0}) + law.yield_stress(100, {0, 1})) / 2);
+}
+
 TEST(Material, LongitudinalWaveIsFasterThanSoundByShear) {
   const Material sheared = make_material(small_scene());
   const Material fluid = make_material(small_scene({{"material", {{"rheology", "fluid"}}}}));
   EXPECT_DOUBLE_EQ(sheared.longitudinal_speed(), std::sqrt((26700 + 4 * 22700 / 3.0) / 2700));
   EXPECT_DOUBLE_EQ(fluid.longitudinal_speed(), std::sqrt(26700 / 2700.0));
+}
+
+TEST(Material, YoungModulusFollowsFromBulkAndShear) {
+  // K = 26,700 and G = 22,700 Pa: E = 9 K G/(3 K + G), and back again nu = E/(2G) - 1.
+  const double E = make_material(small_scene()).young_modulus();
+  const double nu = E / (2 * 22700) - 1;
+  EXPECT_NEAR(E / (3 * (1 - 2 * nu)), 26700, 1e-8);
 }
 
 TEST(Material, UnknownNamesAreRefused) {

@@ -13,11 +13,11 @@ namespace {
 using test::random_deviator;
 using test::small_scene;
 
-/// What every rheology of fully damaged material owes to the solver.
+/// What every rheology owes to the solver, in every condition of the material.
 template <class Rheology>
 class RheologyContract : public testing::Test {
  protected:
-  /// Calls visit(rheology, S, p) for many stresses on both sides of the yield surface.
+  /// Calls visit(rheology, S, p, condition) for many stresses on both sides of the yield surface.
   template <class Visit>
   void for_many_stresses(Visit&& visit) {
     Random random(3, 0);
@@ -29,7 +29,12 @@ class RheologyContract : public testing::Test {
                 .material);
         for (int n = 0; n < 500; ++n) {
           const double p = n % 5 == 0 ? 0 : std::exp(random.uniform(-5, 5));
-          visit(rheology, random_deviator(random) * std::exp(random.uniform(-5, 5)), p);
+          // Rocks yield at ten megapascals: stresses up to a gigapascal.
+          const double scale = n % 2 == 0 ? 1 : 1e7;
+          const Condition condition{n % 3 == 0 ? 0 : random.uniform(0, 4e6),
+                                    n % 4 == 0 ? 1 : random.uniform()};
+          visit(rheology, random_deviator(random) * (scale * std::exp(random.uniform(-5, 5))),
+                scale * p, condition);
         }
       }
   }
@@ -40,46 +45,66 @@ TYPED_TEST_SUITE(RheologyContract, test::AlternativesOf<Rheology>, test::NameByT
 constexpr double rounding = 1e-14;
 
 TYPED_TEST(RheologyContract, YieldedStressLiesInsideTheYieldSurface) {
-  this->for_many_stresses([](const auto& rheology, const SymTensor& S, double p) {
-    const double Y = rheology.yield_stress(p);
-    EXPECT_LE(second_invariant(rheology.yielded(S, p)), Y * Y * (1 + rounding));
-  });
+  this->for_many_stresses(
+      [](const auto& rheology, const SymTensor& S, double p, const Condition& state) {
+        const double Y = rheology.yield_stress(p, state);
+        EXPECT_LE(second_invariant(rheology.yielded(S, p, state)), Y * Y * (1 + rounding));
+      });
 }
 
 TYPED_TEST(RheologyContract, YieldNeverLengthensTheDeviator) {
-  this->for_many_stresses([](const auto& rheology, const SymTensor& S, double p) {
-    EXPECT_LE(contract(rheology.yielded(S, p)), contract(S) * (1 + rounding));
-  });
+  this->for_many_stresses(
+      [](const auto& rheology, const SymTensor& S, double p, const Condition& state) {
+        EXPECT_LE(contract(rheology.yielded(S, p, state)), contract(S) * (1 + rounding));
+      });
 }
 
 TYPED_TEST(RheologyContract, YieldIsIdempotent) {
-  this->for_many_stresses([](const auto& rheology, const SymTensor& S, double p) {
-    const SymTensor once = rheology.yielded(S, p), twice = rheology.yielded(once, p);
+  this->for_many_stresses([](const auto& rheology, const SymTensor& S, double p,
+                             const Condition& state) {
+    const SymTensor once = rheology.yielded(S, p, state), twice = rheology.yielded(once, p, state);
     EXPECT_LE(contract(once + (-1.0) * twice), rounding * rounding * contract(S));
   });
 }
 
 TYPED_TEST(RheologyContract, YieldKeepsTheDirectionOfTheDeviator) {
-  this->for_many_stresses([](const auto& rheology, const SymTensor& S, double p) {
-    const SymTensor yielded = rheology.yielded(S, p);
-    const double factor = std::sqrt(contract(yielded) / contract(S));
-    EXPECT_LE(contract(yielded + (-factor) * S), rounding * rounding * contract(S));
-    EXPECT_NEAR(trace(yielded), 0, rounding * std::sqrt(contract(S)));
-  });
+  this->for_many_stresses(
+      [](const auto& rheology, const SymTensor& S, double p, const Condition& state) {
+        const SymTensor yielded = rheology.yielded(S, p, state);
+        const double factor = std::sqrt(contract(yielded) / contract(S));
+        EXPECT_LE(contract(yielded + (-factor) * S), rounding * rounding * contract(S));
+        EXPECT_NEAR(trace(yielded), 0, rounding * std::sqrt(contract(S)));
+      });
 }
 
 TYPED_TEST(RheologyContract, StrengthDoesNotFallWithPressure) {
-  this->for_many_stresses([](const auto& rheology, const SymTensor&, double p) {
-    EXPECT_GE(rheology.yield_stress(2 * p), rheology.yield_stress(p));
-    EXPECT_GE(rheology.yield_stress(p), 0);
-  });
+  this->for_many_stresses(
+      [](const auto& rheology, const SymTensor&, double p, const Condition& state) {
+        EXPECT_GE(rheology.yield_stress(2 * p, state), rheology.yield_stress(p, state));
+        EXPECT_GE(rheology.yield_stress(p, state), 0);
+      });
 }
 
-TYPED_TEST(RheologyContract, DamagedMaterialCarriesNoTensionAndAllCompression) {
-  this->for_many_stresses([](const auto& rheology, const SymTensor&, double p) {
-    EXPECT_EQ(rheology.pressure(-p), 0);
-    EXPECT_EQ(rheology.pressure(p), p);
-  });
+TYPED_TEST(RheologyContract, CompressionIsCarriedWholeAndTensionByWhatIsIntact) {
+  this->for_many_stresses(
+      [](const auto& rheology, const SymTensor&, double p, const Condition& state) {
+        EXPECT_EQ(rheology.pressure(p, state), p);
+        EXPECT_LE(rheology.pressure(-p, state), 0);
+        EXPECT_GE(rheology.pressure(-p, state), -p);
+        // Rubble has no tensile strength; what never breaks keeps all of it.
+        const bool unbreakable = std::isinf(rheology.yield_stress(p, state));
+        EXPECT_EQ(rheology.pressure(-p, {state.u, 1}), unbreakable ? -p : 0);
+      });
+}
+
+TYPED_TEST(RheologyContract, DamageAndHeatNeverStrengthen) {
+  this->for_many_stresses(
+      [](const auto& rheology, const SymTensor&, double p, const Condition& state) {
+        const double Y = rheology.yield_stress(p, state);
+        EXPECT_LE(rheology.yield_stress(p, {state.u, std::min(1.0, state.damage + 0.1)}),
+                  Y * (1 + rounding));
+        EXPECT_LE(rheology.yield_stress(p, {state.u + 1e5, state.damage}), Y * (1 + rounding));
+      });
 }
 
 }  // namespace

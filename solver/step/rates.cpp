@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/principal.hpp"
+#include "solver/sph/stress.hpp"
+#include "solver/step/solver.hpp"
+
+// The rates of a Solver: laws of the material, rows, neighbour sums.
+
+namespace eerie {
+
+void Solver::evaluate(double ahead) {
+  predict_material(ahead);
+  sum_over_neighbours(ahead);
+}
+
+/// What strength depends on, at the time of the rates.
+Condition Solver::condition(std::size_t i, double ahead) const {
+  Condition now{0, material_.initial_damage()};
+  if (fields_.energy) now.u = state_.u[i] + ahead * rates_.du_dt[i];
+  if (fields_.damage) now.damage = cubed(state_.damage_cbrt[i]);
+  return now;
+}
+
+/// Pressure, sound speed and yielded stress of the predicted state; the rows for pair sums.
+void Solver::predict_material(double ahead) {
+  const StageTimer timer(stages_, Stage::material);
+  std::size_t too_thin = nobody, too_cold = nobody;
+#pragma omp parallel for schedule(static) reduction(min : too_thin, too_cold)
+  for (std::size_t b = 0; b < bucket_count(state_.size()); ++b) {
+    std::array<Predicted, bucket_size> bucket;
+    apply_laws(b, ahead, bucket);
+    fill_rows(b, ahead, bucket);
+    const std::size_t first = b * bucket_size;
+    for (std::size_t i = first; i < std::min(first + bucket_size, state_.size()); ++i) {
+      if (!(bucket[i - first].rho > 0)) too_thin = std::min(too_thin, i);
+      if (!(bucket[i - first].c >= 0)) too_cold = std::min(too_cold, i);
+    }
+  }
+  check(too_thin, "negative-density", "lower numerics.cfl");
+  check(too_cold, "no-sound-speed", "its pressure has no real sound speed; lower numerics.cfl");
+}
+
+/// The laws of one bucket; dispatched once for its particles.
+void Solver::apply_laws(std::size_t b, double ahead, std::array<Predicted, bucket_size>& out) {
+  const std::size_t first = b * bucket_size, last = std::min(first + bucket_size, state_.size());
+  std::visit(
+      [&](const auto& eos, const auto& rheology) {
+        for (std::size_t i = first; i < last; ++i) {
+          const double rho = state_.rho[i] + ahead * rates_.drho_dt[i];
+          const Condition now = condition(i, ahead);
+          const EosPoint point = eos(rho, now.u);
+          const double p = rheology.pressure(point.p, now);
+          pressure_[i] = p;
+          S_predicted_[i] = rheology.yielded(state_.S[i] + ahead * rates_.dS_dt[i], p, now);
+          out[i - first] = {rho, point.c};
+        }
+      },
+      material_.eos, material_.rheology);
+}
+
+/// The momentum flux -p 1 + S L, with the L of the last sums: it follows the arrangement of the
+/// neighbours, which hardly moves in a step.
+Mat3 Solver::momentum_flux(std::size_t i) const {
+  Mat3 T = to_matrix(S_predicted_[i]);
+  if (gradient_ == Gradient::corrected) T = T * to_matrix(rates_.correction[i]);
+  for (int k = 0; k < 3; ++k) T[k][k] -= pressure_[i];
+  return T;
+}
+
+void Solver::fill_rows(std::size_t b, double ahead,
+                       const std::array<Predicted, bucket_size>& bucket) {
+  const std::size_t first = b * bucket_size, last = std::min(first + bucket_size, state_.size());
+  const double age = gravity_age();
+  visit_sums([&](auto& sums) {
+    sums.rows.set_origin(b, state_.x[first], state_.v[first]);
+    for (std::size_t i = first; i < last; ++i) {
+      const auto [rho, c] = bucket[i - first];
+      const Vec3 v = state_.v[i] + ahead * (rates_.dv_dt[i] + gravity(i, age));
+      sums.rows.set(i, state_.x[i], v, state_.mass / rho, rho, c);
+      sums.rows.set_flux(i, momentum_flux(i));
+      if constexpr (std::remove_cvref_t<decltype(sums)>::extended)
+        sums.rows.set_extra(i, artificial_stress(i), smoothing_length(rho), state_.h);
+    }
+  });
+}
+
+/// R = -eps (tensile part of the stress): pushes particles apart that tension would clump
+/// (Gray, Monaghan & Swift 2001, sec. 4).
+SymTensor Solver::artificial_stress(std::size_t i) const {
+  const double eps = scene_.numerics.artificial_stress;
+  if (eps == 0) return {};
+  SymTensor stress = S_predicted_[i];
+  stress.xx -= pressure_[i], stress.yy -= pressure_[i], stress.zz -= pressure_[i];
+  return -eps * positive_part(stress);
+}
+
+/// All neighbour sums in one visit; from them the corrected velocity gradient and the rates of
+/// density, stress, velocity and energy.
+void Solver::sum_over_neighbours(double ahead) {
+  const StageTimer timer(stages_, Stage::pairs);
+  std::size_t singular = nobody;
+  visit_sums([&](auto& sums) {
+    sums.sweep(lists_, state_.size(), [&](std::size_t i, const NeighbourSums& s) {
+      const double rho = state_.rho[i] + ahead * rates_.drho_dt[i];
+      if constexpr (std::remove_cvref_t<decltype(sums)>::extended) {
+        if (fields_.energy) {
+          rates_.viscous_heating[i] = s.heat / rho;
+          rates_.du_dt[i] = (contract(momentum_flux(i), s.G) + s.heat) / rho;
+        }
+      }
+      SymTensor L{1, 1, 1, 0, 0, 0};
+      if (gradient_ != Gradient::plain) {
+        if (is_collapsed(s.C)) {
+#pragma omp critical
+          singular = std::min(singular, i);
+        }
+        L = correction_matrix(s.C);
+      }
+      rates_.correction[i] = L;
+      rates_.drho_dt[i] = -rho * (s.G[0][0] + s.G[1][1] + s.G[2][2]);
+      rates_.dS_dt[i] = stress_rate(S_predicted_[i], s.G * to_matrix(L), material_.shear_modulus);
+      rates_.dv_dt[i] = s.force / rho;
+    });
+  });
+  check(singular, "singular-matrix",
+        "its neighbours have collapsed onto a plane or a line; lower numerics.cfl or raise "
+        "numerics.viscosity_alpha");
+}
+
+/// Cracks grow while the stress at the end of the step pulls.
+void Solver::grow_damage(double duration) {
+  const StageTimer timer(stages_, Stage::material);
+  const auto& law = std::get<GradyKipp>(material_.fracture);
+  const double E = material_.young_modulus(), c_l = material_.longitudinal_speed();
+  const double R_s = std::cbrt(3 * state_.mass / (4 * pi * material_.reference_density));
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    const double intact = 1 - cubed(state_.damage_cbrt[i]);
+    if (intact <= 0) continue;
+    const double tension = largest_principal(S_predicted_[i]) - pressure_[i];
+    if (tension <= 0) continue;
+    state_.damage_cbrt[i] = law.grown(state_.damage_cbrt[i], tension / (intact * E),
+                                      flaws_[state_.id[i]], c_l, R_s, duration);
+  }
+}
+
+}  // namespace eerie

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "solver/scene/scene.hpp"
+#include "solver/tree/images.hpp"
+
+namespace eerie {
+
+/// The walls of a scene as mirrors.
+std::vector<Mirror> mirrors(const Scene::Environment& environment);
+
+/// Throws InputError where two walls of an axis are closer than `search_radius` (m): a particle
+/// would see images of images.
+void require_walls_apart(const Scene::Environment& environment, double search_radius);
+
+}  // namespace eerie

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "solver/base/box.hpp"
+#include "solver/base/vec3.hpp"
+
+namespace eerie {
+
+/// A mirror image of the whole scene: x -> sign x + shift, component by component. Velocities and
+/// stresses change sign in their own way, which is what kind of wall it is.
+struct Image {
+  Vec3 sign{1, 1, 1}, shift;
+  Vec3 velocity_sign{1, 1, 1};
+  Vec3 stress_sign{1, 1, 1};  ///< component ab is multiplied by stress_sign[a] stress_sign[b]
+
+  Vec3 operator()(const Vec3& x) const {
+    return {sign.x * x.x + shift.x, sign.y * x.y + shift.y, sign.z * x.z + shift.z};
+  }
+  Box operator()(const Box& box) const {
+    Box image;
+    image.include((*this)(box.lo));
+    image.include((*this)(box.hi));
+    return image;
+  }
+};
+
+/// A plane that mirrors: a slip wall reflects velocity and stress, so that it carries no shear;
+/// a rough one reverses the whole velocity and passes the stress on, so that material sticks to
+/// it until its own strength gives way.
+struct Mirror {
+  int axis;
+  bool low;  ///< the scene lies above it
+  double at;
+  bool rough;
+};
+
+/// All images that `mirrors` (at most two on each axis) make within one reflection of each axis:
+/// enough while two mirrors of an axis are further apart than the neighbour search reaches.
+inline std::vector<Image> images_of(const std::vector<Mirror>& mirrors) {
+  std::vector<Image> images{Image{}};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t before = images.size();
+    for (const Mirror& mirror : mirrors) {
+      if (mirror.axis != axis) continue;
+      for (std::size_t k = 0; k < before; ++k) {
+        Image image = images[k];
+        image.sign[axis] = -1;
+        image.shift[axis] = 2 * mirror.at;
+        for (int a = 0; a < 3; ++a)
+          if (mirror.rough || a == axis) image.velocity_sign[a] *= -1;
+        if (!mirror.rough) image.stress_sign[axis] *= -1;
+        images.push_back(image);
+      }
+    }
+  }
+  images.erase(images.begin());  // the scene itself
+  return images;
+}
+
+}  // namespace eerie
