@@ -10,11 +10,14 @@ namespace eerie {
 /// correction (a plane or a line of them, or none) and the identity is used.
 inline constexpr double smallest_correctable_determinant = 0.01;
 
-/// Whether C says that a particle with a full neighbourhood has all of it in one plane or line,
-/// which no sound arrangement does: a collapse. trace C is 3 inside a body and below 1 for pairs,
-/// chains and single particles, which go uncorrected by right.
+/// Below this trace of C a particle is at the edge of things: pairs, chains, loose sheets. They go
+/// uncorrected by right; in impacts they reach 1.2. Inside a body the trace is 3.
+inline constexpr double full_neighbourhood = 1.8;
+
+/// Whether C belongs to a full neighbourhood that lies in one plane or line, which no sound
+/// arrangement does: a collapse.
 inline bool is_collapsed(const SymTensor& C) {
-  return !(determinant(C) > smallest_correctable_determinant) && !(trace(C) < 1);
+  return !(determinant(C) > smallest_correctable_determinant) && !(trace(C) < full_neighbourhood);
 }
 
 /// L = C^-1, which makes the SPH gradient exact for linear fields (Bonet & Lok 1999).

@@ -18,6 +18,7 @@ namespace {
 
 constexpr const char* checkpoint_file = "checkpoint.hdf5";
 constexpr const char* final_file = "final.hdf5";
+constexpr const char* last_good_file = "last_good.hdf5";
 
 using Clock = std::chrono::steady_clock;
 
@@ -51,7 +52,8 @@ class Run {
         options_(options),
         solver_(begin()),
         snapshots_(scene.output.snapshot_interval_s, solver_.state().time),
-        histories_(scene.output.history_interval_s, solver_.state().time) {}
+        histories_(scene.output.history_interval_s, solver_.state().time),
+        last_good_(checkpoint()) {}
 
   RunSummary go() {
     const long first_step = solver_.state().step;
@@ -139,12 +141,14 @@ class Run {
     }
   }
 
+  /// A cycle. Where it fails, the state of the last history row, which was sound, is installed.
   void advance() {
-    // The state before the cycle is what a failure can be examined from.
     try {
       solver_.cycle(scene_.end.time_s);
-    } catch (const NumericalError&) {
-      note("numerical failure; the newest snapshot or checkpoint is the last good state");
+    } catch (const NumericalError& error) {
+      write_snapshot(options_.directory / last_good_file, last_good_);
+      note(fmt::format("{}; {} is the last good checkpoint, of t = {:.6g} s", error.kind,
+                       last_good_file, last_good_.state.time));
       throw;
     }
   }
@@ -154,7 +158,10 @@ class Run {
     const double time = solver_.state().time;
     const bool ended = time >= scene_.end.time_s * (1 - 1e-12);
     if (snapshots_.due(time) && !ended) write_snapshot(numbered(snapshots_.count()), snapshot());
-    if (histories_.due(time) && options_.on_history) options_.on_history(snapshot());
+    if (histories_.due(time)) {
+      last_good_ = checkpoint();
+      if (options_.on_history) options_.on_history(snapshot());
+    }
     if (seconds_since(last_checkpoint_) >= scene_.output.checkpoint_interval_s) {
       write_snapshot(options_.directory / checkpoint_file, checkpoint());
       last_checkpoint_ = Clock::now();
@@ -181,6 +188,7 @@ class Run {
   Clock::time_point start_ = Clock::now(), last_checkpoint_ = start_;
   Solver solver_;
   Schedule snapshots_, histories_;
+  Snapshot last_good_;  ///< a checkpoint of the last history row
 };
 
 }  // namespace

@@ -48,7 +48,8 @@ struct RunOptions {
 /// where that holds the same scene (a torn or foreign checkpoint is passed over with a note).
 /// snapshot_0000.hdf5 is the state at time 0; final.hdf5 the last one, itself a checkpoint. The
 /// same scene gives the same bits for any number of threads and of interruptions. Throws
-/// NumericalError (the newest snapshot or checkpoint is the last good state) and EnvironmentError.
+/// NumericalError, after last_good.hdf5 has been written: a checkpoint of the last history row
+/// before the failure; copied over checkpoint.hdf5 it is gone on from. Throws EnvironmentError.
 RunSummary run_impact(const Scene& scene, const RunOptions& options);
 
 }  // namespace eerie

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -83,8 +84,86 @@ TEST(Solver, ACollapseAtTheLargestStepIsAnErrorAndNotAResult) {
     for (int cycle = 0; cycle < 100; ++cycle) solver.cycle(1e9);
     FAIL() << "ran on";
   } catch (const NumericalError& error) {
-    EXPECT_THAT(error.kind, testing::AnyOf("not-finite", "negative-density", "collapse"));
+    EXPECT_THAT(error.kind, testing::AnyOf("not-finite", "negative-density", "collapse",
+                                            "singular-matrix", "lost-particle"));
   }
+}
+
+TEST(Solver, AParticleThrownOffForNoReasonIsCalledLost) {
+  // The bodies bring centimetres per second; a fast one may be real at the start of a run, so
+  // this one is poisoned while it runs, as a faulty force would.
+  const Scene scene = test::small_scene();
+  Solver healthy(scene, ball(scene));
+  healthy.cycle(1e9);
+  Rates rates = healthy.rates();
+  rates.g[17] = {1e4, 0, 0};
+  Solver poisoned(scene, healthy.state(), rates, healthy.restart(), healthy.pressure());
+  try {
+    for (int cycle = 0; cycle < 100; ++cycle) poisoned.cycle(1e9);
+    FAIL() << "ran on";
+  } catch (const NumericalError& error) {
+    EXPECT_EQ(error.kind, "lost-particle");
+    EXPECT_EQ(error.particle_id, static_cast<long>(healthy.state().id[17]));
+    EXPECT_GT(error.step, 0);
+    EXPECT_THAT(error.what(), HasSubstr("further away"));
+  }
+}
+
+TEST(Solver, NeighboursPressedIntoAPlaneAreASingularMatrix) {
+  const NumericalError error = failure_of([](State& s) {
+    // A whole ball flattened to a sheet: full neighbourhoods without any depth.
+    for (Vec3& x : s.x) x.z *= 1e-4;
+  });
+  EXPECT_EQ(error.kind, "singular-matrix");
+  EXPECT_EQ(error.step, 0);
+  EXPECT_GE(error.particle_id, 0);
+  EXPECT_THAT(error.what(), HasSubstr("plane"));
+}
+
+TEST(Solver, LooseParticlesGoUncorrectedAndAreCounted) {
+  const Scene scene = test::small_scene();
+  State state = ball(scene);
+  state.x[5] += Vec3{400, 0, 0};  // alone
+  Solver solver(scene, state);
+  solver.cycle(1e9);
+  EXPECT_EQ(solver.uncorrected(), 1);
+}
+
+TEST(Solver, AParticleBeyondAWallStopsTheRun) {
+  const Scene scene = test::small_scene(
+      {{"environment", {{"walls", {{{"face", "z_low"}, {"at_m", -20}}}}}}});
+  Solver solver(scene, ball(scene));
+  try {
+    solver.cycle(1e9);
+    FAIL() << "ran on";
+  } catch (const NumericalError& error) {
+    EXPECT_EQ(error.kind, "through-wall");
+    EXPECT_THAT(error.what(), HasSubstr("viscosity_beta"));
+  }
+}
+
+TEST(Solver, GasColderThanNothingHasNoSoundSpeed) {
+  const Scene scene = test::small_scene(
+      {{"material", {{"eos", "ideal-gas"}, {"energy", "integrated"}, {"rheology", "fluid"}}}});
+  State state = ball(scene);
+  resize(state, state.size(), {.energy = true});
+  std::fill(state.u.begin(), state.u.end(), 1.0);
+  state.u[123] = -1;
+  try {
+    Solver solver(scene, state);
+    FAIL() << "ran on";
+  } catch (const NumericalError& error) {
+    EXPECT_EQ(error.kind, "no-sound-speed");
+    EXPECT_EQ(error.particle_id, 123);
+  }
+}
+
+TEST(Solver, WallsCloserThanAParticleReachesAreRefused) {
+  const Scene scene = test::small_scene({{"environment",
+                                          {{"walls",
+                                            {{{"face", "y_low"}, {"at_m", -1}},
+                                             {{"face", "y_high"}, {"at_m", 1}}}}}}});
+  EXPECT_THROW(Solver(scene, ball(scene)), InputError);
 }
 
 }  // namespace
