@@ -20,10 +20,13 @@ test: packages-test  ## build and run the tests (under 10 minutes on 2 cores)
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE long
 
-validate: packages-test  ## run the long physics: the reference impact at two friction angles
+validate: packages-test  ## run the long physics (up to an hour) and write docs/validation.md, stability.md
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON
-	@cmake --build $(BUILD) -j $(JOBS) --target eerie_long
-	@ctest --test-dir $(BUILD) --verbose -L long
+	@cmake --build $(BUILD) -j $(JOBS) --target eerie_long eerie_report
+	@rm -rf $(BUILD)/records
+	@status=0; EERIE_REPORT=$(abspath $(BUILD))/records \
+	  ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -L long || status=$$?; \
+	  $(BUILD)/tests/eerie_report $(BUILD)/records docs && exit $$status
 
 bench: packages-test  ## time the stages of a step (Google Benchmark)
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_BENCHMARKS=ON
