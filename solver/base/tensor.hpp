@@ -48,6 +48,8 @@ constexpr Mat3 to_matrix(const SymTensor& s) {
   return {{{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}};
 }
 
+constexpr double trace(const Mat3& a) { return a[0][0] + a[1][1] + a[2][2]; }
+
 /// a : b, the sum of a_ij b_ij.
 constexpr double contract(const Mat3& a, const Mat3& b) {
   double sum = 0;

@@ -62,7 +62,7 @@ void append(State& all, const State& body, const Vec3& x, const Vec3& v) {
     all.rho.push_back(body.rho[i]);
     all.S.push_back(body.S[i]);
   }
-  for (auto field : {&State::u, &State::viscous_heat, &State::friction_heat, &State::damage_cbrt})
+  for (auto field : {&State::u, &State::viscous_heat, &State::shear_work, &State::damage_cbrt})
     (all.*field).insert((all.*field).end(), (body.*field).begin(), (body.*field).end());
 }
 
@@ -101,7 +101,7 @@ State make_body(const Scene& scene, Body body) {
   for (const Vec3& x : s.x) centre += x;
   for (Vec3& x : s.x) x -= centre / static_cast<double>(n);
   for (Vec3& v : s.v) v = {};
-  for (auto* heat : {&s.u, &s.viscous_heat, &s.friction_heat})
+  for (auto* heat : {&s.u, &s.viscous_heat, &s.shear_work})
     std::fill(heat->begin(), heat->end(), 0.0);
   s.time = 0;
   s.step = 0;

@@ -27,10 +27,10 @@ struct State {
   std::vector<double> rho;         ///< kg/m^3
   std::vector<SymTensor> S;        ///< deviatoric stress, Pa
 
-  // With an energy equation. The two heats are parts of u, kept for the budget.
+  // With an energy equation. The last two are parts of u, kept for the budget.
   std::vector<double> u;              ///< specific internal energy, elastic energy included, J/kg
   std::vector<double> viscous_heat;   ///< what artificial viscosity made of motion, J/kg
-  std::vector<double> friction_heat;  ///< what yielding took from elastic stress, J/kg
+  std::vector<double> shear_work;     ///< of the deviatoric stress: elastic, the rest heat, J/kg
   // With fracture.
   std::vector<double> damage_cbrt;  ///< cube root of the damage D, which grows evenly
 
@@ -48,6 +48,7 @@ struct Rates {
   std::vector<Vec3> dg_dt;              ///< its change since the evaluation before, m/s^3
   std::vector<double> du_dt;            ///< W/kg; with an energy equation
   std::vector<double> viscous_heating;  ///< the part of du_dt that viscosity makes, W/kg
+  std::vector<double> shear_power;      ///< the part of du_dt of the deviatoric stress, W/kg
 };
 
 /// What a run needs, beyond State and Rates, to go on with the same bits: neighbour lists are
@@ -75,7 +76,7 @@ void visit_state(S& state, Visit&& visit) {
   visit("DeviatoricStresses", state.S);
   visit_some(visit, "InternalEnergies", state.u);
   visit_some(visit, "ViscousHeats", state.viscous_heat);
-  visit_some(visit, "FrictionHeats", state.friction_heat);
+  visit_some(visit, "ShearWorks", state.shear_work);
   visit_some(visit, "DamageCubeRoots", state.damage_cbrt);
 }
 template <class R, class Visit>
@@ -88,6 +89,7 @@ void visit_rates(R& rates, Visit&& visit) {
   visit("GravityRates", rates.dg_dt);
   visit_some(visit, "EnergyRates", rates.du_dt);
   visit_some(visit, "ViscousHeatingRates", rates.viscous_heating);
+  visit_some(visit, "ShearPowers", rates.shear_power);
 }
 template <class R, class Visit>
 void visit_restart(R& restart, Visit&& visit) {
@@ -99,12 +101,12 @@ struct OptionalFields {
   bool energy = false, damage = false;
 };
 inline void resize(State& state, std::size_t n, OptionalFields use = {}) {
-  if (use.energy) state.u.resize(n), state.viscous_heat.resize(n), state.friction_heat.resize(n);
+  if (use.energy) state.u.resize(n), state.viscous_heat.resize(n), state.shear_work.resize(n);
   if (use.damage) state.damage_cbrt.resize(n);
   visit_state(state, [n](const char*, auto& array) { array.resize(n); });
 }
 inline void resize(Rates& rates, std::size_t n, OptionalFields use = {}) {
-  if (use.energy) rates.du_dt.resize(n), rates.viscous_heating.resize(n);
+  if (use.energy) rates.du_dt.resize(n), rates.viscous_heating.resize(n), rates.shear_power.resize(n);
   visit_rates(rates, [n](const char*, auto& array) { array.resize(n); });
 }
 

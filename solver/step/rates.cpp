@@ -105,8 +105,10 @@ void Solver::sum_over_neighbours(double ahead) {
       const double rho = state_.rho[i] + ahead * rates_.drho_dt[i];
       if constexpr (std::remove_cvref_t<decltype(sums)>::extended) {
         if (fields_.energy) {
+          const Mat3 T = momentum_flux(i);
           rates_.viscous_heating[i] = s.heat / rho;
-          rates_.du_dt[i] = (contract(momentum_flux(i), s.G) + s.heat) / rho;
+          rates_.shear_power[i] = (contract(T, s.G) + pressure_[i] * trace(s.G)) / rho;
+          rates_.du_dt[i] = (contract(T, s.G) + s.heat) / rho;
         }
       }
       SymTensor L{1, 1, 1, 0, 0, 0};
@@ -118,7 +120,7 @@ void Solver::sum_over_neighbours(double ahead) {
         L = correction_matrix(s.C);
       }
       rates_.correction[i] = L;
-      rates_.drho_dt[i] = -rho * (s.G[0][0] + s.G[1][1] + s.G[2][2]);
+      rates_.drho_dt[i] = -rho * trace(s.G);
       rates_.dS_dt[i] = stress_rate(S_predicted_[i], s.G * to_matrix(L), material_.shear_modulus);
       rates_.dv_dt[i] = s.force / rho;
     });

@@ -126,12 +126,13 @@ void Solver::kick_and_drift(double kick, double drift) {
   update_lists();
 }
 
-/// Internal energy, and the part of it that viscosity has made.
+/// Internal energy and its parts.
 void Solver::heat(double duration) {
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < state_.size(); ++i) {
     state_.u[i] += duration * rates_.du_dt[i];
     state_.viscous_heat[i] += duration * rates_.viscous_heating[i];
+    state_.shear_work[i] += duration * rates_.shear_power[i];
   }
 }
 
@@ -170,10 +171,10 @@ void Solver::reorder() {
   visit_rates(rates_, [&](const char*, auto& array) { permute(array, order); });
 }
 
-/// The stress returns to the yield surface; what it loses becomes heat.
+/// The stress returns to the yield surface.
 void Solver::kick(double duration) {
   const StageTimer timer(stages_, Stage::integrate);
-  const double age = gravity_age() + dt_, compliance = 1 / (4 * material_.shear_modulus);
+  const double age = gravity_age() + dt_;
   std::size_t offender = nobody;
   if (fields_.energy) heat(duration);
   std::visit(
@@ -182,11 +183,8 @@ void Solver::kick(double duration) {
         for (std::size_t i = 0; i < state_.size(); ++i) {
           state_.v[i] += duration * (rates_.dv_dt[i] + gravity(i, age));
           state_.rho[i] += duration * rates_.drho_dt[i];
-          const SymTensor trial = state_.S[i] + duration * rates_.dS_dt[i];
-          state_.S[i] = rheology.yielded(trial, pressure_[i], condition(i, 0));
-          if (fields_.energy && material_.shear_modulus > 0)
-            state_.friction_heat[i] +=
-                (contract(trial) - contract(state_.S[i])) * compliance / state_.rho[i];
+          state_.S[i] = rheology.yielded(state_.S[i] + duration * rates_.dS_dt[i], pressure_[i],
+                                         condition(i, 0));
           if (!is_finite(state_.v[i]) || !std::isfinite(trace(state_.S[i]) + state_.rho[i]))
             offender = std::min(offender, i);
         }

@@ -18,7 +18,11 @@ Totals totals(const Scene& scene, const State& state) {
     if (state.u.empty()) continue;
     t.internal_energy += state.mass * state.u[i];
     t.viscous_heat += state.mass * state.viscous_heat[i];
-    t.friction_heat += state.mass * state.friction_heat[i];
+    // Elastic energy of shear, S:S/(4 G) in a volume; what else the stress has worked is heat.
+    const double G = scene.material.shear_modulus_Pa;
+    const double elastic = G > 0 ? contract(state.S[i]) / (4 * G * state.rho[i]) : 0;
+    t.shear_energy += state.mass * elastic;
+    t.friction_heat += state.mass * (state.shear_work[i] - elastic);
   }
   t.mass = state.mass * static_cast<double>(state.size());
   if (!scene.environment.self_gravity) return t;

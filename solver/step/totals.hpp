@@ -11,8 +11,9 @@ struct Totals {
   double mass = 0;
   Vec3 momentum, angular_momentum;
   double kinetic_energy = 0, potential_energy = 0;
-  // With an energy equation, else 0. Internal energy holds elastic energy and both heats.
-  double internal_energy = 0, viscous_heat = 0, friction_heat = 0;
+  // With an energy equation, else 0. Internal energy holds both heats, the elastic energy of
+  // shear, and that of compression.
+  double internal_energy = 0, viscous_heat = 0, friction_heat = 0, shear_energy = 0;
 
   double energy() const { return kinetic_energy + potential_energy + internal_energy; }
 };
