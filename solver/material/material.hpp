@@ -49,6 +49,10 @@ struct Material {
     const double c = reference_sound_speed(), K = reference_density * c * c;
     return 9 * K * shear_modulus / (3 * K + shear_modulus);
   }
+  /// Whether a free surface can carry stress, by tensile strength or cohesion.
+  bool stressed_surface(const Scene& scene) const {
+    return initial_damage() < 1 || scene.material.drucker_prager.cohesion_Pa > 0;
+  }
   /// Damage of a particle that has not fractured yet.
   double initial_damage() const {
     return std::visit([](const auto& r) { return r.is_damaged ? 1.0 : 0.0; }, rheology);

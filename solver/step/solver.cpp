@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "solver/base/error.hpp"
+#include "solver/base/principal.hpp"
 #include "solver/step/walls.hpp"
 
 namespace eerie {
@@ -54,6 +55,7 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
       gradient_(scene.numerics.gradient == "corrected"        ? Gradient::corrected
                 : scene.numerics.gradient == "corrected-rate" ? Gradient::corrected_rate
                                                               : Gradient::plain),
+      stressed_surface_(material_.stressed_surface(scene)),
       sums_(make_sums()),
       integrator_(
           make_by_token<Integrator>("scene.numerics.integrator", scene.numerics.integrator)),
@@ -213,8 +215,16 @@ void Solver::evaluate_gravity(double elapsed) {
   }
 }
 
-/// dt = cfl h/(c_l + h |div v|) with the longitudinal wave c_l^2 = c^2 + 4G/(3 rho), and
-/// 0.25 sqrt(h/|a|); a function of state and rates alone, so a restart finds the same.
+/// The corrected gradient and its dual force stretch stresses at a free surface by the largest
+/// eigenvalue of L, about two, and with them the frequency of the shortest waves there. Rubble
+/// carries no stress at its surface and needs no shorter steps.
+double Solver::stiffening(std::size_t i) const {
+  if (!stressed_surface_ || gradient_ != Gradient::corrected) return 1;
+  return largest_principal(rates_.correction[i]);
+}
+
+/// dt = cfl h/(L c_l + h |div v|) with the longitudinal wave c_l^2 = c^2 + 4G/(3 rho), L the
+/// stiffening of surfaces that carry stress, and 0.25 sqrt(h/|a|); a function of state and rates alone, so a restart finds the same.
 double Solver::time_step() const {
   double highest = 0, strongest = 0;  // rate of signals through h, acceleration over h
   std::visit(
@@ -227,7 +237,7 @@ double Solver::time_step() const {
           const double inertia = std::max(rho, material_.reference_density);
           const double wave = std::sqrt(c * c + 4 * material_.shear_modulus / (3 * inertia));
           const double divergence = std::abs(rates_.drho_dt[i]) / rho;
-          highest = std::max(highest, wave / h + divergence);
+          highest = std::max(highest, stiffening(i) * wave / h + divergence);
           strongest = std::max(strongest, norm2(rates_.dv_dt[i]) / (h * h));
         }
       },
@@ -238,8 +248,15 @@ double Solver::time_step() const {
   return dt;
 }
 
-void Solver::damp(double factor) {
-  for (Vec3& v : state_.v) v *= factor;
+void Solver::damp(double factor, const Vec3& omega) {
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    const Vec3 rotation = cross(omega, state_.x[i]);
+    state_.v[i] = rotation + factor * (state_.v[i] - rotation);
+  }
+}
+
+void Solver::spin_up(const Vec3& omega) {
+  for (std::size_t i = 0; i < state_.size(); ++i) state_.v[i] += cross(omega, state_.x[i]);
 }
 
 }  // namespace eerie

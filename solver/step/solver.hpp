@@ -36,8 +36,11 @@ class Solver {
   /// NumericalError when the state stops being physical; the state is then of no use.
   void cycle(double end_time);
 
-  /// Multiplies all velocities; for settling bodies before a run.
-  void damp(double factor);
+  /// Multiplies all velocities, relative to a rotation `omega` (rad/s) about the origin; for
+  /// settling bodies before a run.
+  void damp(double factor, const Vec3& omega = {});
+  /// Adds a rotation `omega` about the origin to all velocities; for spinning bodies up.
+  void spin_up(const Vec3& omega);
 
   const State& state() const { return state_; }
   const Rates& rates() const { return rates_; }
@@ -96,6 +99,7 @@ class Solver {
   SymTensor artificial_stress(std::size_t i) const;
   double gravity_age() const { return dt_ * static_cast<double>(since_gravity_); }
   Vec3 gravity(std::size_t i, double age) const { return rates_.g[i] + age * rates_.dg_dt[i]; }
+  double stiffening(std::size_t i) const;
   double time_step() const;
 
   void expect_speeds();
@@ -108,6 +112,7 @@ class Solver {
   Material material_;
   OptionalFields fields_;
   Gradient gradient_;
+  bool stressed_surface_;  ///< free surfaces carry stress: in tension or by cohesion
   Flaws flaws_;
   Sums sums_;
   Integrator integrator_;

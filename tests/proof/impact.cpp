@@ -1,0 +1,45 @@
+#include "tests/proof/impact.hpp"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "solver/base/error.hpp"
+#include "solver/initial/bodies.hpp"
+
+namespace eerie::proof {
+
+Scene impact_scene(int particles_per_target, const nlohmann::json& changes) {
+  nlohmann::json scene = {{"numerics", {{"particles_per_target", particles_per_target}}}};
+  scene.merge_patch(changes);
+  return parse_scene(scene);
+}
+
+ImpactEnd followed(const Scene& scene, double end_s, int rows,
+                   const std::function<void(const Solver&)>& each) {
+  ImpactEnd end;
+  try {
+    Solver solver(scene, make_impact(scene));
+    end.first = totals(scene, solver.state());
+    const auto start = std::chrono::steady_clock::now();
+    for (int row = 1; row <= std::max(rows, 1); ++row) {
+      const double until = end_s * row / std::max(rows, 1);
+      while (solver.state().time < until * (1 - 1e-12)) solver.cycle(until);
+      if (each) each(solver);
+    }
+    end.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    end.last = totals(scene, solver.state());
+    end.analysis = analyse({scene, solver.state(), solver.pressure(), {}, {}});
+    end.steps = static_cast<double>(solver.state().step);
+    end.particle_steps = end.steps * static_cast<double>(solver.state().size());
+    end.list_builds = static_cast<double>(solver.list_builds());
+    end.angular_momentum_drift = norm(end.last.angular_momentum - end.first.angular_momentum) /
+                                 norm(end.first.angular_momentum);
+    end.energy_drift = (end.last.energy() - end.first.energy()) / end.first.kinetic_energy;
+  } catch (const NumericalError& error) {
+    end.failed = true;
+    end.failure = error.kind;
+  }
+  return end;
+}
+
+}  // namespace eerie::proof
