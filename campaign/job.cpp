@@ -1,10 +1,14 @@
 #include "campaign/job.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <unordered_set>
 
 #include "solver/base/constants.hpp"
+#include "solver/scene/guards.hpp"
 
 namespace eerie {
 
@@ -14,9 +18,9 @@ double mutual_escape_speed(const Scene& scene) {
 }
 
 double expected_particle_steps(const Scene& scene) {
-  const Scene::Material& m = scene.material;
+  const double c = bulk_sound_speed(scene);
   const double c_l =
-      std::sqrt((m.tillotson.A_Pa + 4.0 / 3 * m.shear_modulus_Pa) / m.rho0_kg_per_m3);
+      std::sqrt(c * c + 4.0 / 3 * scene.material.shear_modulus_Pa / scene.material.rho0_kg_per_m3);
   const double dt = scene.numerics.cfl * smoothing_length(scene) / c_l;
   const auto particles =
       static_cast<double>(scene.numerics.particles_per_target + impactor_particles(scene));
@@ -39,14 +43,33 @@ db::NewJob new_job(const Scene& scene) {
   return job;
 }
 
-std::vector<db::NewJob> jobs_of(const Sweep& sweep) {
+std::vector<db::NewJob> jobs_of(const std::vector<Scene>& scenes) {
   std::vector<db::NewJob> jobs;
   std::unordered_set<std::string> seen;
-  for (const Scene& scene : expand(sweep)) {
+  for (const Scene& scene : scenes) {
     db::NewJob job = new_job(scene);
     if (seen.insert(job.hash).second) jobs.push_back(std::move(job));
   }
   return jobs;
+}
+
+std::vector<std::string> cautions(const std::vector<Scene>& scenes) {
+  std::vector<std::pair<std::string, std::size_t>> counted;  // in the order of their first scene
+  for (const Scene& scene : scenes)
+    for (std::string& text : warnings(scene)) {
+      const auto known =
+          std::ranges::find(counted, text, &std::pair<std::string, std::size_t>::first);
+      if (known == counted.end())
+        counted.emplace_back(std::move(text), 1);
+      else
+        ++known->second;
+    }
+  std::vector<std::string> sentences;
+  for (const auto& [text, count] : counted)
+    sentences.push_back(count == scenes.size()
+                            ? text
+                            : fmt::format("{} of {} points: {}", count, scenes.size(), text));
+  return sentences;
 }
 
 }  // namespace eerie

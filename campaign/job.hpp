@@ -19,7 +19,10 @@ double expected_particle_steps(const Scene& scene);
 /// The job that computes a scene.
 db::NewJob new_job(const Scene& scene);
 
-/// The distinct jobs of a sweep. Throws InputError.
-std::vector<db::NewJob> jobs_of(const Sweep& sweep);
+/// The distinct jobs of the scenes of a sweep.
+std::vector<db::NewJob> jobs_of(const std::vector<Scene>& scenes);
+
+/// The warnings (solver/scene/guards.hpp) of all scenes, each once, with how many it concerns.
+std::vector<std::string> cautions(const std::vector<Scene>& scenes);
 
 }  // namespace eerie

@@ -20,6 +20,7 @@
 #include "campaign/worker_lock.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
+#include "solver/scene/guards.hpp"
 
 namespace eerie {
 namespace fs = std::filesystem;
@@ -58,6 +59,7 @@ int run_job(const JobDirectory& directory, int threads) {
     spdlog::info("the result is here already: nothing to do");
     return static_cast<int>(ExitCode::done);
   }
+  for (const std::string& warning : warnings(scene)) spdlog::warn("{}", warning);
   fs::remove(directory.failure());
   try {
     const Computed computed = compute(scene, directory.path, threads, 0, ProgressWriter(directory));

@@ -69,7 +69,9 @@ std::string job_table(const std::vector<db::NewJob>& jobs) {
 
 int expand(const ExpandArguments& a) {
   const Sweep sweep = load_sweep(a.sweep, a.overrides);
-  const std::vector<db::NewJob> jobs = jobs_of(sweep);
+  const std::vector<Scene> scenes = eerie::expand(sweep);
+  const std::vector<db::NewJob> jobs = jobs_of(scenes);
+  const std::vector<std::string> warned = cautions(scenes);
   const Estimate e = estimate(a.database, jobs);
   if (a.json) {
     json report = {{"sweep", sweep.name},
@@ -78,7 +80,8 @@ int expand(const ExpandArguments& a) {
                    {"new", e.unknown},
                    {"core_hours", e.core_hours},
                    {"particle_steps_per_core_second", e.speed},
-                   {"speed_is_measured", e.measured}};
+                   {"speed_is_measured", e.measured},
+                   {"warnings", warned}};
     if (a.list)
       for (const db::NewJob& job : jobs) report["list"].push_back(job_json(job));
     fmt::print("{}\n", report.dump(1));
@@ -91,6 +94,7 @@ int expand(const ExpandArguments& a) {
       "about {:.3g} core-hours for all of them, at {} particle-steps per second and core ({})\n",
       e.core_hours, magnitude(e.speed),
       e.measured ? "as measured in this database" : "assumed: nothing is measured yet");
+  print_warnings(warned);
   return static_cast<int>(ExitCode::done);
 }
 

@@ -9,6 +9,7 @@
 #include "campaign/cli/commands.hpp"
 #include "campaign/cli/progress_line.hpp"
 #include "campaign/cli/result_columns.hpp"
+#include "campaign/cli/text_table.hpp"
 #include "campaign/job.hpp"
 #include "campaign/local_processes.hpp"
 #include "campaign/map.hpp"
@@ -134,7 +135,8 @@ void print_report(const db::Connection& connection, const RunArguments& a, std::
 
 int run(const RunArguments& a) {
   const Sweep sweep = load_sweep(a.sweep, a.overrides);
-  const std::vector<db::NewJob> jobs = jobs_of(sweep);
+  const std::vector<Scene> scenes = eerie::expand(sweep);
+  const std::vector<db::NewJob> jobs = jobs_of(scenes);
   require_drawable(a.maps, jobs);
   catch_stop_signals();
   hold_signals();
@@ -153,6 +155,7 @@ int run(const RunArguments& a) {
                  before.left);
     std::fflush(stdout);
   }
+  if (before.left > 0) print_warnings(cautions(scenes));
   if (before.left > 0) work(connection, a, added.sweep);
 
   const Tally after = tally(connection, added.sweep);

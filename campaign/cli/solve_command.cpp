@@ -19,6 +19,7 @@
 #include "campaign/worker_lock.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
+#include "solver/scene/guards.hpp"
 #include "solver/scene/validate.hpp"
 
 namespace eerie::cli {
@@ -84,6 +85,7 @@ void print_cost(const RunSummary& s) {
 
 int solve(const SolveArguments& a) {
   const Scene scene = load_scene(a);
+  print_warnings(warnings(scene));
   catch_stop_signals();
   std::error_code problem;
   fs::create_directories(a.directory, problem);

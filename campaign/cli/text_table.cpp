@@ -55,4 +55,8 @@ std::string magnitude(double number) {
   return fmt::format("{:.3g}{}", number, units[unit]);
 }
 
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
 }  // namespace eerie::cli

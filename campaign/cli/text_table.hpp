@@ -14,4 +14,7 @@ std::string duration(double seconds);
 /// "1.9e+06" as "1.9 M": for people.
 std::string magnitude(double number);
 
+/// "warning: ..." for each, on standard error.
+void print_warnings(const std::vector<std::string>& warnings);
+
 }  // namespace eerie::cli

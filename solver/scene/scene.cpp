@@ -195,6 +195,13 @@ std::int64_t impactor_particles(const Scene& s) {
   return std::llround(s.impact.q * static_cast<double>(s.numerics.particles_per_target));
 }
 double contact_distance(const Scene& s) { return s.target.radius_m + impactor_radius(s); }
+double bulk_sound_speed(const Scene& s) {
+  const Scene::Material& m = s.material;
+  const double K = m.eos == "tillotson" ? m.tillotson.A_Pa
+                   : m.eos == "linear"  ? m.linear.bulk_modulus_Pa
+                                        : 0;
+  return std::sqrt(K / m.rho0_kg_per_m3);
+}
 double friction_coefficient(const Scene& s) {
   return std::tan(radians(s.material.drucker_prager.phi_d_deg));
 }

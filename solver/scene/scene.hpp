@@ -124,6 +124,7 @@ double smoothing_length(const Scene& scene);
 std::int64_t impactor_particles(const Scene& scene);
 double contact_distance(const Scene& scene);
 double friction_coefficient(const Scene& scene);
+double bulk_sound_speed(const Scene& scene);  ///< sqrt(K/rho0) of the cold material; 0 for a gas
 /// Whether particles carry an internal energy, and a damage that grows.
 inline bool has_energy(const Scene& scene) { return scene.material.energy == "integrated"; }
 inline bool has_fracture(const Scene& scene) { return scene.material.fracture != "none"; }
