@@ -27,8 +27,9 @@ TEST(GranularEllipsoid, FailsAtTheSpinOfTheory) {
       "averages over the volume bound the spin from above, for a body that yields everywhere at "
       "once; 1,000 particles make edges of 0.1 R";
   Figure figure{"ellipsoids", "Spin at which ellipsoids fail: points measured, lines derived",
-                "b/a",        "W = {/Symbol w}^2/(2 {/Symbol p} G {/Symbol r})",
+                "b/a",        "W = ω²/(2πGρ)",
                 {},           "set xrange [0.2:1]"};
+  int colour = 0;
   for (const double phi : {30.0, 40.0, 50.0}) {
     const double mu = std::tan(radians(phi));
     Curve theory{fmt::format("{:g} deg", phi), {}, {}, "lines lw 2"},
@@ -43,6 +44,7 @@ TEST(GranularEllipsoid, FailsAtTheSpinOfTheory) {
                     result.W_failed / limit, 0.85, 1.15, reason);
       measured.x.push_back(ratio), measured.y.push_back(result.W_failed);
     }
+    theory.colour = measured.colour = ++colour;
     figure.curves.push_back(theory);
     figure.curves.push_back(measured);
   }

@@ -18,7 +18,7 @@ struct ImpactEnd {
   Totals first, last;
   double angular_momentum_drift = 0,
          energy_drift = 0;  ///< over |L| and kinetic energy at the start
-  double steps = 0, particle_steps = 0, list_builds = 0, seconds = 0;
+  double steps = 0, particle_steps = 0, list_builds = 0, cpu_seconds = 0;
   bool failed = false;
   std::string failure;  ///< kind of the numerical error
 

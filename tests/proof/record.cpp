@@ -20,6 +20,11 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
+std::size_t colour_of(const Figure& figure, std::size_t k) {
+  const int chosen = figure.curves[k].colour;
+  return chosen > 0 ? static_cast<std::size_t>(chosen) : k + 1;
+}
+
 std::string script_of(const Figure& figure, const fs::path& path) {
   std::string script = gnuplot_terminal(path, 360, 230) + "\n";
   script += fmt::format(
@@ -34,8 +39,9 @@ std::string script_of(const Figure& figure, const fs::path& path) {
   }
   script += "plot ";
   for (std::size_t k = 0; k < figure.curves.size(); ++k)
-    script += fmt::format("{}$c{} using 1:2 with {} lt {} title {}", k > 0 ? ", " : "", k,
-                          figure.curves[k].style, k + 1, quoted(figure.curves[k].title));
+    script +=
+        fmt::format("{}$c{} using 1:2 with {} lt {} title {}", k > 0 ? ", " : "", k,
+                    figure.curves[k].style, colour_of(figure, k), quoted(figure.curves[k].title));
   return script + "\n";
 }
 

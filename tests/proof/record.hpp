@@ -11,6 +11,7 @@ struct Curve {
   std::string title;
   std::vector<double> x, y;
   std::string style = "lines lw 2";  ///< gnuplot's "with ..."
+  int colour = 0;                    ///< from 1; 0: the place in the figure
 };
 
 /// A figure of curves, drawn by gnuplot as SVG.

@@ -1,7 +1,6 @@
 #include "tests/proof/resting_body.hpp"
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "solver/base/constants.hpp"
@@ -23,19 +22,16 @@ Scene gentle(const Scene& scene) {
   return parse_scene(json);
 }
 
-void measure_spacing(const State& s, RestQuality& q) {
-  const double spacing = std::cbrt(s.mass / 2700), n = static_cast<double>(s.size());
-  for (const Vec3& a : s.x) {
-    double nearest2 = std::numeric_limits<double>::max();
-    for (const Vec3& b : s.x)
-      if (&a != &b) nearest2 = std::min(nearest2, norm2(a - b));
-    const double distance = std::sqrt(nearest2) / spacing;
-    q.nearest += distance / n;
-    q.paired += (distance < 0.5) / n;
-  }
-}
-
 }  // namespace
+
+double rms_speed(const State& state) {
+  const auto n = static_cast<double>(state.size());
+  Vec3 mean;
+  for (const Vec3& v : state.v) mean += v / n;
+  double v2 = 0;
+  for (const Vec3& v : state.v) v2 += norm2(v - mean);
+  return std::sqrt(v2 / n);
+}
 
 RestQuality rest_quality(const Scene& scene, double seconds) {
   RestQuality q;
@@ -47,16 +43,14 @@ RestQuality rest_quality(const Scene& scene, double seconds) {
     while (solver.state().time < seconds) {
       solver.cycle(seconds);
       if (solver.state().time < seconds / 5) continue;
-      double v2 = 0, p = 0;
-      for (const Vec3& v : solver.state().v) v2 += norm2(v);
+      double p = 0;
       for (const double one : solver.pressure()) p += one;
       const auto n = static_cast<double>(solver.state().size());
-      q.rms_speed = std::max(q.rms_speed, std::sqrt(v2 / n) / escape);
+      q.rms_speed = std::max(q.rms_speed, rms_speed(solver.state()) / escape);
       q.pressure += p / n / (0.4 * central_pressure(rho, radius));
       ++cycles;
     }
     q.pressure /= std::max(1.0, cycles);
-    measure_spacing(solver.state(), q);
   } catch (const NumericalError& error) {
     q.failed = true;
     q.failure = error.kind;

@@ -54,9 +54,13 @@ TEST(ReducedSoundSpeed, ChangesTheRemnantOnlyWhenTheImpactIsFastForIt) {
   }
   record.table({"c_s m/s", "v/c_s", "seed", "M_lr/M", "b/a", "period h"}, rows);
   record.within("largest drift of L", drift, 0, 2e-3, "as over the reference impact");
-  record.noted("b/a at c_s 9.9 minus 3.14 m/s, mean of two seeds", stiff - reference,
-               "within 0.05 (Appendix A, 50,000 particles)",
-               "at 1,000 particles viscosity is not small and scales with the sound speed");
+  record.within("b/a at c_s 9.9 minus that at 3.14 m/s, means of two seeds", stiff - reference,
+                -0.06, 0.06, "Appendix A finds no difference; single runs scatter by 0.03");
+  record.say(
+      "Towards softer material the answer moves from v/c_s of about 0.1 on: remnants become longer "
+      "and turn more slowly, since less viscosity acts, long before compression (v/c_s)^2 counts. "
+      "Towards stiffer material b/a rises slowly and up to a twentieth more of the mass stays in "
+      "debris.");
   figure.curves = {shape, mass, period};
   record.figure(figure);
 }

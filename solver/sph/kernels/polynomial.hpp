@@ -1,0 +1,23 @@
+#pragma once
+
+#include <type_traits>
+
+#include "solver/base/constants.hpp"
+#include "solver/base/simd.hpp"
+
+namespace eerie {
+
+// Kernels with support 2h as functions of q = r/h: W = normalisation / h^3 * w(q), and the
+// gradient dW/dx = normalisation / h^5 * dw_over_q(q) * (x_i - x_j). Branch-free: truncated
+// polynomials, zero beyond the support. P is a number or a Pack of numbers.
+
+/// A constant in the precision of P, a number or a Pack.
+template <class P>
+P splat_like(double value) {
+  if constexpr (std::is_arithmetic_v<P>)
+    return static_cast<P>(value);
+  else
+    return P{} + static_cast<std::remove_cvref_t<decltype(P{}[0])>>(value);
+}
+
+}  // namespace eerie

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace eerie {
+
+/// Kick-drift-kick with predicted rates at the end of the step: second order, one evaluation.
+struct Leapfrog {
+  static constexpr const char* token = "leapfrog";
+  static constexpr int order = 2, evaluations = 1;
+  template <class System>
+  static void step(System& system, double dt) {
+    system.kick_and_drift(dt / 2, dt);
+    system.evaluate(dt / 2);
+    system.kick(dt / 2);
+  }
+};
+
+}  // namespace eerie

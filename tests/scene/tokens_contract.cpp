@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "solver/material/material.hpp"
+#include "solver/scene/validate.hpp"
+#include "solver/sph/kernel.hpp"
+#include "solver/step/integrator.hpp"
+
+namespace eerie {
+namespace {
+
+template <class... T>
+std::set<std::string> tokens_of(const std::variant<T...>*) {
+  return {T::token...};
+}
+
+/// A law that the schema does not know cannot be asked for; a name without a law cannot be kept.
+template <class Variant>
+void expect_same_names(const char* field) {
+  const auto names = schema_at(scene_schema(), field)->at("enum").get<std::set<std::string>>();
+  EXPECT_EQ(tokens_of(static_cast<Variant*>(nullptr)), names) << field;
+}
+
+TEST(Tokens, OfEveryVariantListAreThoseOfTheSchema) {
+  expect_same_names<Eos>("material.eos");
+  expect_same_names<Rheology>("material.rheology");
+  expect_same_names<Fracture>("material.fracture");
+  expect_same_names<KernelChoice>("numerics.kernel");
+  expect_same_names<Integrator>("numerics.integrator");
+}
+
+}  // namespace
+}  // namespace eerie
