@@ -28,9 +28,9 @@ struct State {
   std::vector<SymTensor> S;        ///< deviatoric stress, Pa
 
   // With an energy equation. The last two are parts of u, kept for the budget.
-  std::vector<double> u;              ///< specific internal energy, elastic energy included, J/kg
-  std::vector<double> viscous_heat;   ///< what artificial viscosity made of motion, J/kg
-  std::vector<double> shear_work;     ///< of the deviatoric stress: elastic, the rest heat, J/kg
+  std::vector<double> u;             ///< specific internal energy, elastic energy included, J/kg
+  std::vector<double> viscous_heat;  ///< what artificial viscosity made of motion, J/kg
+  std::vector<double> shear_work;    ///< of the deviatoric stress: elastic, the rest heat, J/kg
   // With fracture.
   std::vector<double> damage_cbrt;  ///< cube root of the damage D, which grows evenly
 
@@ -106,7 +106,8 @@ inline void resize(State& state, std::size_t n, OptionalFields use = {}) {
   visit_state(state, [n](const char*, auto& array) { array.resize(n); });
 }
 inline void resize(Rates& rates, std::size_t n, OptionalFields use = {}) {
-  if (use.energy) rates.du_dt.resize(n), rates.viscous_heating.resize(n), rates.shear_power.resize(n);
+  if (use.energy)
+    rates.du_dt.resize(n), rates.viscous_heating.resize(n), rates.shear_power.resize(n);
   visit_rates(rates, [n](const char*, auto& array) { array.resize(n); });
 }
 

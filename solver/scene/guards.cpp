@@ -8,8 +8,8 @@ namespace {
 
 /// Largest Courant number at which a body of rubble stays at rest.
 double restful_cfl(const Scene::Numerics& n) {
-  if (n.integrator == "leapfrog-pece") return 0.8;
-  return n.viscosity_alpha < 0.5 ? 0.4 : 0.6;
+  if (n.integrator == "leapfrog-pece") return 1.0;
+  return n.viscosity_alpha < 0.5 ? 0.4 : 0.55;
 }
 
 /// One line that a scene may cross.

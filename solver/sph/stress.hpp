@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/base/tensor.hpp"
@@ -15,9 +16,11 @@ inline constexpr double smallest_correctable_determinant = 0.01;
 inline constexpr double full_neighbourhood = 1.8;
 
 /// Whether C belongs to a full neighbourhood that lies in one plane or line, which no sound
-/// arrangement does: a collapse.
-inline bool is_collapsed(const SymTensor& C) {
-  return !(determinant(C) > smallest_correctable_determinant) && !(trace(C) < full_neighbourhood);
+/// arrangement does: a collapse. `filling`: density over that of reference; loose grains have large
+/// volumes, so that a few of them make a large C without being many.
+inline bool is_collapsed(const SymTensor& C, double filling = 1) {
+  return !(determinant(C) > smallest_correctable_determinant) &&
+         !(trace(C) * std::min(filling, 1.0) < full_neighbourhood);
 }
 
 /// L = C^-1, which makes the SPH gradient exact for linear fields (Bonet & Lok 1999).

@@ -113,7 +113,7 @@ void Solver::sum_over_neighbours(double ahead) {
       }
       SymTensor L{1, 1, 1, 0, 0, 0};
       if (gradient_ != Gradient::plain) {
-        if (is_collapsed(s.C)) {
+        if (is_collapsed(s.C, rho / material_.reference_density)) {
 #pragma omp critical
           singular = std::min(singular, i);
         }

@@ -124,8 +124,34 @@ void Solver::kick_and_drift(double kick, double drift) {
       state_.S[i] += kick * rates_.dS_dt[i];
     }
     if (fields_.energy) heat(kick);
+    if (!lists_.images().empty()) turn_back(drift);
   }
   update_lists();
+}
+
+/// A particle that has just crossed a wall met its own image on the way, and the two change places:
+/// for all others nothing happens. Loose grains below the reference density have no pressure to
+/// stop them before.
+void Solver::turn_back(double drift) {
+  const std::vector<Mirror> walls = mirrors(scene_.environment);
+  std::vector<Image> images;
+  for (const Mirror& wall : walls) images.push_back(images_of({wall}).front());
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    const Vec3 before = state_.x[i] - drift * state_.v[i];
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      const int axis = walls[k].axis;
+      const auto inside = [&](double at) { return (at >= walls[k].at) == walls[k].low; };
+      if (inside(state_.x[i][axis]) || !inside(before[axis])) continue;
+      const Image& image = images[k];
+      state_.x[i] = image(state_.x[i]);
+      state_.v[i] = image.velocity(state_.v[i]);
+      state_.S[i] = image.stress(state_.S[i]);
+      rates_.dv_dt[i] = image.velocity(rates_.dv_dt[i]);
+      rates_.dS_dt[i] = image.stress(rates_.dS_dt[i]);
+      rates_.correction[i] = image.geometry(rates_.correction[i]);
+    }
+  }
 }
 
 /// Internal energy and its parts.
@@ -224,7 +250,8 @@ double Solver::stiffening(std::size_t i) const {
 }
 
 /// dt = cfl h/(L c_l + h |div v|) with the longitudinal wave c_l^2 = c^2 + 4G/(3 rho), L the
-/// stiffening of surfaces that carry stress, and 0.25 sqrt(h/|a|); a function of state and rates alone, so a restart finds the same.
+/// stiffening of surfaces that carry stress, and 0.25 sqrt(h/|a|); a function of state and rates
+/// alone, so a restart finds the same.
 double Solver::time_step() const {
   double highest = 0, strongest = 0;  // rate of signals through h, acceleration over h
   std::visit(

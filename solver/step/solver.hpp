@@ -81,6 +81,7 @@ class Solver {
 
   void step();
   void heat(double duration);
+  void turn_back(double drift);
   void update_lists();
   void reorder();
   void predict_material(double ahead);

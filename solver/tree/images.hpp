@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/base/box.hpp"
+#include "solver/base/tensor.hpp"
 #include "solver/base/vec3.hpp"
 
 namespace eerie {
@@ -22,6 +23,17 @@ struct Image {
     image.include((*this)(box.lo));
     image.include((*this)(box.hi));
     return image;
+  }
+  Vec3 velocity(const Vec3& v) const {
+    return {velocity_sign.x * v.x, velocity_sign.y * v.y, velocity_sign.z * v.z};
+  }
+  SymTensor stress(const SymTensor& s) const { return with_signs(s, stress_sign); }
+  /// Of a tensor made of positions.
+  SymTensor geometry(const SymTensor& s) const { return with_signs(s, sign); }
+
+ private:
+  static SymTensor with_signs(const SymTensor& s, const Vec3& e) {
+    return {s.xx, s.yy, s.zz, e.x * e.y * s.xy, e.x * e.z * s.xz, e.y * e.z * s.yz};
   }
 };
 
