@@ -11,13 +11,14 @@ namespace eerie {
 /// correction (a plane or a line of them, or none) and the identity is used.
 inline constexpr double smallest_correctable_determinant = 0.01;
 
-/// Below this trace of C a particle is at the edge of things: pairs, chains, loose sheets. They go
-/// uncorrected by right; in impacts they reach 1.2. Inside a body the trace is 3.
+/// Below this trace of C, volumes taken at the reference density, a particle is at the edge of
+/// things: pairs, chains, loose sheets. They go uncorrected by right; impacts reach 0.5 at 1,000
+/// particles per target and 0.9 at 50,000. Inside a body the trace is 3.
 inline constexpr double full_neighbourhood = 1.8;
 
 /// Whether C belongs to a full neighbourhood that lies in one plane or line, which no sound
-/// arrangement does: a collapse. `filling`: density over that of reference; loose grains have large
-/// volumes, so that a few of them make a large C without being many.
+/// arrangement does: a collapse. `filling`: density over that of reference; loose particles have
+/// large volumes, so that a few of them make a large C without being many.
 inline bool is_collapsed(const SymTensor& C, double filling = 1) {
   return !(determinant(C) > smallest_correctable_determinant) &&
          !(trace(C) * std::min(filling, 1.0) < full_neighbourhood);
