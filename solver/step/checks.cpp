@@ -66,8 +66,7 @@ void Solver::check(std::size_t offender, const char* kind, const char* remedy) c
   throw NumericalError(
       kind, state_.step, id,
       fmt::format("{} at step {} (t = {:.6g} s), particle {} at ({:.6g}, {:.6g}, {:.6g}) m: rho = "
-                  "{:.4g} kg/m^3, |v| = {:.4g} m/s; {} (cfl is {:g}), or look at the last good "
-                  "state",
+                  "{:.4g} kg/m^3, |v| = {:.4g} m/s; {} (cfl is {:g})",
                   kind, state_.step, state_.time, id, x.x, x.y, x.z, state_.rho[offender],
                   norm(state_.v[offender]), remedy, scene_.numerics.cfl));
 }

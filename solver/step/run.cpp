@@ -146,10 +146,11 @@ class Run {
     try {
       solver_.cycle(scene_.end.time_s);
     } catch (const NumericalError& error) {
-      write_snapshot(options_.directory / last_good_file, last_good_);
-      note(fmt::format("{}; {} is the last good checkpoint, of t = {:.6g} s", error.kind,
-                       last_good_file, last_good_.state.time));
-      throw;
+      const fs::path path = options_.directory / last_good_file;
+      write_snapshot(path, last_good_);
+      throw NumericalError(error.kind, error.step, error.particle_id,
+                           fmt::format("{}; the last good checkpoint, of t = {:.6g} s, is {}",
+                                       error.what(), last_good_.state.time, path.string()));
     }
   }
 

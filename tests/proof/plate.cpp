@@ -58,7 +58,7 @@ Oscillation plate_oscillation(Support support, int layers, double artificial_str
          {"shear_modulus_Pa", G},
          {"rheology", "elastic"}}},
        {"numerics",
-        {{"artificial_stress", artificial_stress}, {"precision", "double"}, {"cfl", 0.4}}}});
+        {{"artificial_stress", artificial_stress}, {"precision", "double"}, {"cfl", 0.8}}}});
   State state = lattice_block({0, -H / 2, 0}, {clamped ? L : L / 2, H / 2, depth}, d, rho0);
   const std::vector<Vec3> start = state.x;
   std::vector<double> mode;

@@ -25,7 +25,7 @@ TEST(ElasticPlateLong, SwingsWithThePeriodOfTheoryFreeAndClamped) {
                 "particles over the thickness",
                 "period / theory",
                 {},
-                "set xrange [3:17]"};
+                "set xrange [3:13]"};
   const auto series = [&](Support support, double artificial_stress, const char* name,
                           const std::vector<int>& layers) {
     Curve curve{name, {}, {}, "linespoints pt 7 ps 0.5"};
@@ -42,10 +42,10 @@ TEST(ElasticPlateLong, SwingsWithThePeriodOfTheoryFreeAndClamped) {
     figure.curves.push_back(curve);
     return curve;
   };
-  const Curve free = series(Support::free, 0, "free", {4, 6, 8, 12, 16});
-  const Curve stressed = series(Support::free, 0.3, "free, artificial stress 0.3", {4, 6, 8, 12});
+  const Curve free = series(Support::free, 0, "free", {4, 6, 8, 12});
+  const Curve stressed = series(Support::free, 0.3, "free, artificial stress 0.3", {6, 8, 12});
   const Curve clamped = series(Support::clamped, 0, "clamped", {4, 6, 8});
-  const Curve both = series(Support::clamped, 0.3, "clamped, artificial stress 0.3", {4, 6, 8});
+  const Curve both = series(Support::clamped, 0.3, "clamped, artificial stress 0.3", {6, 8});
   for (const Curve* c : {&free, &clamped})
     for (std::size_t k = 1; k < c->x.size(); ++k) {
       const double h = 1.2 / c->x[k];
@@ -54,11 +54,11 @@ TEST(ElasticPlateLong, SwingsWithThePeriodOfTheoryFreeAndClamped) {
                     "smoothing takes a share of order (h/H)^2 of the stiffness: twice that");
     }
   record.within(
-      "free: longer with artificial stress, 12 layers", stressed.y[3] / free.y[3], 1, 1.075,
+      "free: longer with artificial stress, 12 layers", stressed.y[2] / free.y[3], 1, 1.075,
       "it takes at most 0.3 of the tension, which is half of the bending stress: 0.3/4 of "
       "the period");
   record.within("clamped, artificial stress, 8 layers: period, s",
-                both.y[2] * thin_plate_period(Support::clamped) *
+                both.y[1] * thin_plate_period(Support::clamped) *
                     (1 + thickness_correction(Support::clamped)),
                 0.254, 0.284,
                 "published SPH plates have 0.27 to 0.28 s (Gray, Monaghan & Swift "

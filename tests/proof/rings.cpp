@@ -24,6 +24,7 @@ RingsOutcome collide(const Rings& rings, double time) {
                                    {"rheology", "elastic"}}},
                                  {"numerics",
                                   {{"artificial_stress", rings.artificial_stress},
+                                   {"cfl", 0.8},
                                    {"gravity_interval", 1},
                                    {"precision", "double"}}}});
   const auto is_ring = [&](const Vec3& x) {

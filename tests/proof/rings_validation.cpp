@@ -9,7 +9,7 @@ namespace {
 
 TEST(RubberRings, BounceAndStayWholeWithArtificialStressOnly) {
   const RingsOutcome whole =
-      collide({.spacing = 0.002, .artificial_stress = 0.5, .quarter = true}, 34);
+      collide({.spacing = 0.002, .artificial_stress = 0.5, .quarter = true}, 27);
   const RingsOutcome broken =
       collide({.spacing = 0.0015, .artificial_stress = 0, .quarter = true}, 15);
   RecordProperty("rebound", std::to_string(whole.rebound));

@@ -46,7 +46,8 @@ TEST(OpeningAngle, MovesTheAngularMomentumBeforeAnythingElse) {
                  "theta",
                  "",
                  {drift, length},
-                 "set logscale y; set format y '10^{%T}'"});
+                 "set logscale y; set format y '10^{%T}'; set arrow from 0.35, graph 0 to 0.35, "
+                 "graph 1 nohead dt 2"});
 }
 
 /// A box of fluid under pressure, stirred by a third of a spacing, comes to rest: mean distance of
@@ -153,12 +154,13 @@ TEST(Viscosity, TradesPenetrationAgainstDamping) {
   }
   record.within("particles nearest to one of the other body, alpha 1, 1 m/s head-on",
                 mixed_at_default, 0, 0.25, "those of the contact face, N^(-1/3) of all twice over");
-  record.figure({"viscosity",
-                 "Impacts against alpha (beta = 2 alpha)",
-                 "alpha",
-                 "",
-                 {length, share, mixed, drift},
-                 "set logscale x; set yrange [0:1.5]"});
+  record.figure(
+      {"viscosity",
+       "Impacts against alpha (beta = 2 alpha)",
+       "alpha",
+       "",
+       {length, share, mixed, drift},
+       "set logscale x; set yrange [0:1.5]; set arrow from 1, graph 0 to 1, graph 1 nohead dt 2"});
 }
 
 TEST(ListSkin, CostsTimeAndChangesNothing) {

@@ -96,7 +96,7 @@ TEST(TimeStep, OfAnImpactMayBeTwiceTheDefaultBeforeTheAnswerMoves) {
                  "cfl",
                  "",
                  {length, drift},
-                 ""});
+                 "set arrow from 0.5, graph 0 to 0.5, graph 1 nohead dt 2"});
 }
 
 TEST(GravityInterval, HasAMarginBelowWhereBodiesCannotRest) {
@@ -131,7 +131,7 @@ TEST(GravityInterval, HasAMarginBelowWhereBodiesCannotRest) {
                  "steps from one evaluation of gravity to the next",
                  "",
                  {rest, length, drift},
-                 "set logscale x"});
+                 "set logscale x; set arrow from 10, graph 0 to 10, graph 1 nohead dt 2"});
 }
 
 }  // namespace

@@ -81,12 +81,13 @@ TEST(TensionLong, StrengthFollowsTheRateWhereSeveralFlawsOfAParticleAreActive) {
                 "(k V eps^m)",
                 "release wave, particles"},
                rows);
-  record.figure({"tension",
-                 "Largest mean tension of a basalt cube pulled apart at constant rate",
-                 "strain rate of each direction, 1/s",
-                 "strength, MPa",
-                 {law, fitted, fixed, alone},
-                 "set logscale xy\nset format x '10^{%T}'"});
+  record.figure(
+      {"tension",
+       "Largest mean tension of a basalt cube pulled apart at constant rate",
+       "strain rate of each direction, 1/s",
+       "strength, MPa",
+       {law, fitted, fixed, alone},
+       "set logscale xy\nset xrange [0.7:2e4]\nset yrange [5:300]\nset format x '10^{%T}'"});
 }
 
 }  // namespace

@@ -182,5 +182,32 @@ TEST(Run, AFolderThatCannotBeMadeIsNamed) {
   }
 }
 
+TEST(Run, ThatFailsLeavesItsLastGoodCheckpointFromWhichItFailsAgainAlike) {
+  // Ten times the sound speed, no viscosity, steps three times too long.
+  const Scene scene =
+      short_impact({{"impact", {{"v_imp_cm_per_s", 3000}, {"theta_imp_deg", 0}}},
+                    {"numerics", {{"cfl", 0.9}, {"viscosity_alpha", 0}, {"viscosity_beta", 0}}},
+                    {"output", {{"history_interval_s", 1}}}});
+  const TemporaryFolder folder;
+  const auto failure = [&] {
+    try {
+      run_in(folder, scene);
+    } catch (const NumericalError& error) {
+      return error;
+    }
+    return NumericalError("nothing failed", -1, -1, "");
+  };
+  const NumericalError first = failure();
+  EXPECT_THAT(first.what(), HasSubstr((folder / "last_good.hdf5").string()));
+  const Snapshot good = read_snapshot(folder / "last_good.hdf5");  // finite, or it would not read
+  ASSERT_TRUE(good.rates && good.restart);
+  EXPECT_LE(good.state.step, first.step);
+  std::filesystem::copy_file(folder / "last_good.hdf5", folder / "checkpoint.hdf5");
+  const NumericalError second = failure();
+  EXPECT_EQ(second.kind, first.kind);
+  EXPECT_EQ(second.step, first.step);
+  EXPECT_EQ(second.particle_id, first.particle_id);
+}
+
 }  // namespace
 }  // namespace eerie
