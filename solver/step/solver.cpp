@@ -176,7 +176,10 @@ void Solver::update_lists() {
   const StageTimer timer(stages_, Stage::neighbours);
   tree_.fit(state_.x);
   // Smoothing lengths that evolve get some room to grow before the next build.
-  if (evolving_h()) lists_.set_support(growth_room * largest_support());
+  if (evolving_h()) {
+    lists_.set_support(growth_room * largest_support());
+    require_walls_apart(scene_.environment, lists_.support() * (1 + scene_.numerics.list_skin));
+  }
   lists_.build(tree_, state_.x);
   ++list_builds_;
 }
