@@ -61,6 +61,35 @@ TEST(Run, InterruptedBySteplimitEndsWithTheSameBits) {
   EXPECT_THAT(differences(read_snapshot(folder / "final.hdf5"), uninterrupted(scene)), IsEmpty());
 }
 
+TEST(Run, EveryOptionalLawKeepsItsBitsOverInterruptionsAndThreads) {
+  const nlohmann::json laws[] = {
+      {{"material", {{"energy", "integrated"}}},
+       {"numerics",
+        {{"smoothing", "evolving"}, {"integrator", "leapfrog-pece"}, {"gradient", "plain"}}}},
+      {{"material",
+        {{"rheology", "lundborg"},
+         {"fracture", "grady-kipp"},
+         {"lundborg", {{"Y_0_Pa", 1e3}}},
+         {"grady_kipp", {{"k_per_m3", 1e20}}}}},
+       {"numerics", {{"artificial_stress", 0.3}, {"kernel", "wendland-c2"}}},
+       {"environment",
+        {{"gravity_m_per_s2", {0, 0, -1e-6}},
+         {"walls", {{{"face", "z_low"}, {"at_m", -60}, {"kind", "rough"}}}}}}}};
+  for (nlohmann::json changes : laws) {
+    changes["end"]["time_s"] = 150;
+    const Scene scene = short_impact(changes);
+    const Snapshot whole = uninterrupted(scene);
+    const TemporaryFolder folder;
+    RunOptions options;
+    options.threads = 3;
+    options.max_steps = 47;
+    int parts = 1;
+    while (run_in(folder, scene, options).summary.end == RunEnd::step_limit) ++parts;
+    EXPECT_GE(parts, 3);
+    EXPECT_THAT(differences(read_snapshot(folder / "final.hdf5"), whole), IsEmpty()) << changes;
+  }
+}
+
 TEST(Run, StoppedByItsCallerEndsWithTheSameBits) {
   const Scene scene = short_impact();
   const TemporaryFolder folder;
