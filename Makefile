@@ -1,7 +1,7 @@
 # eerie: `make run` does the main job, `make test` proves the build.
 # Both first install the Debian packages that are missing (.ci/packages).
 BUILD ?= build
-JOBS  ?= $(shell nproc)
+JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
 .PHONY: help run build test validate bench format tidy clean packages-run packages-test
 
