@@ -14,6 +14,9 @@ namespace {
 json totals_json(const Totals& t) {
   return {{"kinetic_energy_J", t.kinetic_energy},
           {"potential_energy_J", t.potential_energy},
+          {"internal_energy_J", t.internal_energy},
+          {"viscous_heat_J", t.viscous_heat},
+          {"friction_heat_J", t.friction_heat},
           {"momentum_kg_m_per_s", {t.momentum.x, t.momentum.y, t.momentum.z}},
           {"angular_momentum_kg_m2_per_s",
            {t.angular_momentum.x, t.angular_momentum.y, t.angular_momentum.z}}};
