@@ -12,7 +12,7 @@ struct Rotated {
   std::vector<double> turns, spin, angular_momentum, radius;  ///< the last three over their start
 };
 
-/// `gradient`: as in numerics.gradient.
-Rotated rotated_sphere(const std::string& gradient, double turns);
+/// `gradient`: as in numerics.gradient. Throws NumericalError where the run breaks.
+Rotated rotated_sphere(const std::string& gradient, double turns, double cfl = 0.5);
 
 }  // namespace eerie::proof
