@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/proof/impact.hpp"
@@ -102,8 +103,17 @@ TEST(LateTimes, LeaveASettledRemnantAsItIs) {
   const std::size_t settled = 39;  // row of 4e4 s
   record.within("change of b/a from 4e4 to 1e5 s", shape.y.back() - shape.y[settled], -0.01, 0.01,
                 "what the comparison of impacts asks for");
-  record.within("period, 1e5 over 4e4 s", period.y.back() / period.y[settled], 0.97, 1.03,
-                "late debris falls in and changes the spin by its share, a percent or two");
+  const auto mean = [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t k = first; k <= last; ++k) sum += period.y[k];
+    return sum / static_cast<double>(last - first + 1);
+  };
+  record.within("mean period, 6e4 to 1e5 s over 4e4 to 8e4 s", mean(59, 99) / mean(39, 79), 0.97,
+                1.03, "late debris falls in and changes the spin by its share, a percent or two");
+  const auto [low, high] = std::minmax_element(period.y.begin() + 39, period.y.end());
+  record.noted("longest over shortest period after 4e4 s", *high / *low, "1",
+               "the rate swings once in 4e4 s while the shape stands still, as that of a triaxial "
+               "body does which does not spin exactly about an axis; not looked into further");
   record.within("drift of L over 1e5 s", end.angular_momentum_drift, 0, 1e-3,
                 "what a whole impact may lose");
   record.figure({"creep",
