@@ -85,7 +85,7 @@ TEST(Solver, ACollapseAtTheLargestStepIsAnErrorAndNotAResult) {
     FAIL() << "ran on";
   } catch (const NumericalError& error) {
     EXPECT_THAT(error.kind, testing::AnyOf("not-finite", "negative-density", "collapse",
-                                            "singular-matrix", "lost-particle"));
+                                           "singular-matrix", "lost-particle"));
   }
 }
 
@@ -130,8 +130,8 @@ TEST(Solver, LooseParticlesGoUncorrectedAndAreCounted) {
 }
 
 TEST(Solver, AParticleBeyondAWallStopsTheRun) {
-  const Scene scene = test::small_scene(
-      {{"environment", {{"walls", {{{"face", "z_low"}, {"at_m", -20}}}}}}});
+  const Scene scene =
+      test::small_scene({{"environment", {{"walls", {{{"face", "z_low"}, {"at_m", -20}}}}}}});
   Solver solver(scene, ball(scene));
   try {
     solver.cycle(1e9);
@@ -159,10 +159,9 @@ TEST(Solver, GasColderThanNothingHasNoSoundSpeed) {
 }
 
 TEST(Solver, WallsCloserThanAParticleReachesAreRefused) {
-  const Scene scene = test::small_scene({{"environment",
-                                          {{"walls",
-                                            {{{"face", "y_low"}, {"at_m", -1}},
-                                             {{"face", "y_high"}, {"at_m", 1}}}}}}});
+  const Scene scene = test::small_scene(
+      {{"environment",
+        {{"walls", {{{"face", "y_low"}, {"at_m", -1}}, {{"face", "y_high"}, {"at_m", 1}}}}}}});
   EXPECT_THROW(Solver(scene, ball(scene)), InputError);
 }
 
