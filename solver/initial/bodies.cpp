@@ -72,18 +72,21 @@ double central_pressure(double rho0, double radius) {
   return 2 * pi / 3 * newton_G * rho0 * rho0 * radius * radius;
 }
 
+double escape_speed(double rho0, double radius) {
+  return radius * std::sqrt(8 * pi / 3 * newton_G * rho0);
+}
+
 State make_body(const Scene& scene, Body body) {
   const bool is_target = body == Body::target;
   const double radius = is_target ? scene.target.radius_m : impactor_radius(scene);
   const auto n = static_cast<std::size_t>(is_target ? scene.numerics.particles_per_target
                                                     : impactor_particles(scene));
   Solver solver(scene, at_rest(scene, body, radius, n));
-  const double escape_speed =
-      radius * std::sqrt(8 * pi / 3 * newton_G * scene.material.rho0_kg_per_m3);
+  const double still = settled_fraction * escape_speed(scene.material.rho0_kg_per_m3, radius);
   const double crossing = radius / make_material(scene).longitudinal_speed();
   double time = 0;
   // At least a few damping times: at the very start nothing has moved yet.
-  while (time < 10 * crossing || rms_speed(solver.state()) > settled_fraction * escape_speed) {
+  while (time < 10 * crossing || rms_speed(solver.state()) > still) {
     if (time > patience_crossings * crossing)
       throw NumericalError(
           "unsettled-body", solver.state().step, -1,

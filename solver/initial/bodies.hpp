@@ -13,6 +13,9 @@ State make_body(const Scene& scene, Body body);
 /// Central pressure of a homogeneous sphere, (2/3) pi G rho0^2 R^2, Pa.
 double central_pressure(double rho0, double radius);
 
+/// Escape speed from the surface of a homogeneous sphere, R sqrt((8/3) pi G rho0), m/s.
+double escape_speed(double rho0, double radius);
+
 /// Target and impactor on their orbit, `impact.separation` contact distances apart, in the
 /// frame of their common centre of mass; time 0. Ids run through the target first.
 State make_impact(const Scene& scene);

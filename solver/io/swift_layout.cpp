@@ -51,7 +51,7 @@ void write_smoothing_lengths(hid_t group, const Snapshot& snapshot) {
   std::vector<double> h(state.size(), state.h);
   if (snapshot.scene.numerics.smoothing == "evolving")
     for (std::size_t i = 0; i < state.size(); ++i)
-      h[i] *= std::cbrt(snapshot.scene.material.rho0_kg_per_m3 / state.rho[i]);
+      h[i] = evolved_h(state.h, snapshot.scene.material.rho0_kg_per_m3, state.rho[i]);
   write_field<double>(group, "SmoothingLengths", h);
 }
 

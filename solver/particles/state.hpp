@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -36,6 +37,9 @@ struct State {
 
   std::size_t size() const { return x.size(); }
 };
+
+/// A smoothing length that keeps the number of neighbours: h at the density rho0, m.
+inline double evolved_h(double h, double rho0, double rho) { return h * std::cbrt(rho0 / rho); }
 
 /// Time derivatives of the state at its last evaluation. dv_dt holds the elastic and frictional
 /// forces; gravity is evaluated less often and apart.

@@ -101,11 +101,10 @@ class PairRows {
     const Origin& o = origins_[j / bucket_size];
     Row r = rows_[j];
     const Vec3 x = image(o.x + Vec3{double(r.x), double(r.y), double(r.z)}) - home.x;
-    const Vec3 v = o.v + Vec3{double(r.vx), double(r.vy), double(r.vz)};
-    const Vec3 &sv = image.velocity_sign, &st = image.stress_sign;
+    const Vec3 v = image.velocity(o.v + Vec3{double(r.vx), double(r.vy), double(r.vz)}) - home.v;
+    const Vec3& st = image.stress_sign;
     r.x = real(x.x), r.y = real(x.y), r.z = real(x.z);
-    r.vx = real(sv.x * v.x - home.v.x), r.vy = real(sv.y * v.y - home.v.y),
-    r.vz = real(sv.z * v.z - home.v.z);
+    r.vx = real(v.x), r.vy = real(v.y), r.vz = real(v.z);
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) r.T[3 * a + b] *= real(st[a] * st[b]);
     if constexpr (extended)

@@ -5,8 +5,8 @@
 
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
+#include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
-#include "solver/step/walls.hpp"
 
 // What stops a Solver: states that no sound run reaches.
 
@@ -24,7 +24,7 @@ void Solver::expect_speeds() {
   begun_ = state_.time;
   const double mass = state_.mass * static_cast<double>(state_.size());
   const double radius = std::cbrt(3 * mass / (4 * pi * material_.reference_density));
-  if (scene_.environment.self_gravity) fastest += std::sqrt(2 * newton_G * mass / radius);
+  if (scene_.environment.self_gravity) fastest += escape_speed(material_.reference_density, radius);
   fastest_expected_ = 10 * fastest;
   if (fields_.energy || !scene_.environment.self_gravity) {
     double c = 0;
@@ -43,13 +43,12 @@ void Solver::check_positions() {
   const auto [gx, gy, gz] = scene_.environment.gravity_m_per_s2;
   const double t = state_.time - begun_, fall = 0.5 * norm(Vec3{gx, gy, gz}) * t * t;
   const double reach = reach_ + fastest_expected_ * t + fall;
-  const std::vector<Mirror> walls = mirrors(scene_.environment);
   std::size_t lost = nobody, through = nobody;
   long alone = 0;
 #pragma omp parallel for schedule(static) reduction(min : lost, through) reduction(+ : alone)
   for (std::size_t i = 0; i < state_.size(); ++i) {
     if (!(norm2(state_.x[i]) < reach * reach)) lost = std::min(lost, i);
-    for (const Mirror& wall : walls)
+    for (const Mirror& wall : walls_)
       if ((state_.x[i][wall.axis] < wall.at) == wall.low) through = std::min(through, i);
     alone += rates_.correction[i] == SymTensor{1, 1, 1, 0, 0, 0};
   }

@@ -26,7 +26,7 @@ constexpr double growth_room = 1.02;
 Solver::Sums Solver::make_sums() const {
   const Scene::Numerics& n = scene_.numerics;
   const Viscosity viscosity{n.viscosity_alpha, n.viscosity_beta};
-  const ExtraTerms extra{n.smoothing == "evolving", n.artificial_stress > 0,
+  const ExtraTerms extra{evolving_h_, n.artificial_stress > 0,
                          std::cbrt(state_.mass / material_.reference_density)};
   const bool extended = fields_.energy || extra.evolving_h || extra.artificial_stress;
   return std::visit(
@@ -56,12 +56,13 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
                 : scene.numerics.gradient == "corrected-rate" ? Gradient::corrected_rate
                                                               : Gradient::plain),
       stressed_surface_(material_.stressed_surface(scene)),
+      walls_(mirrors(scene.environment)),
+      evolving_h_(scene.numerics.smoothing == "evolving"),
       sums_(make_sums()),
       integrator_(
           make_by_token<Integrator>("scene.numerics.integrator", scene.numerics.integrator)),
       gravity_({state_.mass, state_.h, scene.numerics.opening_angle}),
-      lists_(2 * state_.h, 2 * state_.h * scene.numerics.list_skin,
-             images_of(mirrors(scene.environment))),
+      lists_(2 * state_.h, 2 * state_.h * scene.numerics.list_skin, images_of(walls_)),
       tree_(state_.size()),
       pressure_(std::move(pressure)) {
   const std::size_t n = state_.size();
@@ -124,7 +125,7 @@ void Solver::kick_and_drift(double kick, double drift) {
       state_.S[i] += kick * rates_.dS_dt[i];
     }
     if (fields_.energy) heat(kick);
-    if (!lists_.images().empty()) turn_back(drift);
+    if (!walls_.empty()) turn_back(drift);
   }
   update_lists();
 }
@@ -133,17 +134,13 @@ void Solver::kick_and_drift(double kick, double drift) {
 /// for all others nothing happens. Loose grains below the reference density have no pressure to
 /// stop them before.
 void Solver::turn_back(double drift) {
-  const std::vector<Mirror> walls = mirrors(scene_.environment);
-  std::vector<Image> images;
-  for (const Mirror& wall : walls) images.push_back(images_of({wall}).front());
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < state_.size(); ++i) {
     const Vec3 before = state_.x[i] - drift * state_.v[i];
-    for (std::size_t k = 0; k < walls.size(); ++k) {
-      const int axis = walls[k].axis;
-      const auto inside = [&](double at) { return (at >= walls[k].at) == walls[k].low; };
-      if (inside(state_.x[i][axis]) || !inside(before[axis])) continue;
-      const Image& image = images[k];
+    for (const Mirror& wall : walls_) {
+      const auto inside = [&](double at) { return (at >= wall.at) == wall.low; };
+      if (inside(state_.x[i][wall.axis]) || !inside(before[wall.axis])) continue;
+      const Image image = reflected({}, wall);
       state_.x[i] = image(state_.x[i]);
       state_.v[i] = image.velocity(state_.v[i]);
       state_.S[i] = image.stress(state_.S[i]);
@@ -176,7 +173,7 @@ void Solver::update_lists() {
   const StageTimer timer(stages_, Stage::neighbours);
   tree_.fit(state_.x);
   // Smoothing lengths that evolve get some room to grow before the next build.
-  if (evolving_h()) {
+  if (evolving_h_) {
     lists_.set_support(growth_room * largest_support());
     require_walls_apart(scene_.environment, lists_.support() * (1 + scene_.numerics.list_skin));
   }
@@ -184,15 +181,13 @@ void Solver::update_lists() {
   ++list_builds_;
 }
 
-bool Solver::evolving_h() const { return scene_.numerics.smoothing == "evolving"; }
-
-/// h of particle i: constant, or as its density says, so that the number of neighbours stays.
+/// h of a particle: constant, or as its density says, so that the number of neighbours stays.
 double Solver::smoothing_length(double rho) const {
-  return evolving_h() ? state_.h * std::cbrt(material_.reference_density / rho) : state_.h;
+  return evolving_h_ ? evolved_h(state_.h, material_.reference_density, rho) : state_.h;
 }
 
 double Solver::largest_support() const {
-  if (!evolving_h()) return 2 * state_.h;
+  if (!evolving_h_) return 2 * state_.h;
   return 2 * smoothing_length(*std::min_element(state_.rho.begin(), state_.rho.end()));
 }
 

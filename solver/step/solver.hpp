@@ -92,7 +92,6 @@ class Solver {
   void grow_damage(double duration);
   void evaluate_gravity(double elapsed);
 
-  bool evolving_h() const;
   double smoothing_length(double rho) const;
   double largest_support() const;
   Condition condition(std::size_t i, double ahead) const;
@@ -115,6 +114,8 @@ class Solver {
   Gradient gradient_;
   bool stressed_surface_;  ///< free surfaces carry stress: in tension or by cohesion
   Flaws flaws_;
+  std::vector<Mirror> walls_;
+  bool evolving_h_;
   Sums sums_;
   Integrator integrator_;
   Gravity gravity_;

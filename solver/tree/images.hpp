@@ -47,6 +47,16 @@ struct Mirror {
   bool rough;
 };
 
+/// `image` seen in one more mirror, of another axis.
+inline Image reflected(Image image, const Mirror& mirror) {
+  image.sign[mirror.axis] = -1;
+  image.shift[mirror.axis] = 2 * mirror.at;
+  for (int a = 0; a < 3; ++a)
+    if (mirror.rough || a == mirror.axis) image.velocity_sign[a] *= -1;
+  if (!mirror.rough) image.stress_sign[mirror.axis] *= -1;
+  return image;
+}
+
 /// All images that `mirrors` (at most two on each axis) make within one reflection of each axis:
 /// enough while two mirrors of an axis are further apart than the neighbour search reaches.
 inline std::vector<Image> images_of(const std::vector<Mirror>& mirrors) {
@@ -55,15 +65,7 @@ inline std::vector<Image> images_of(const std::vector<Mirror>& mirrors) {
     const std::size_t before = images.size();
     for (const Mirror& mirror : mirrors) {
       if (mirror.axis != axis) continue;
-      for (std::size_t k = 0; k < before; ++k) {
-        Image image = images[k];
-        image.sign[axis] = -1;
-        image.shift[axis] = 2 * mirror.at;
-        for (int a = 0; a < 3; ++a)
-          if (mirror.rough || a == axis) image.velocity_sign[a] *= -1;
-        if (!mirror.rough) image.stress_sign[axis] *= -1;
-        images.push_back(image);
-      }
+      for (std::size_t k = 0; k < before; ++k) images.push_back(reflected(images[k], mirror));
     }
   }
   images.erase(images.begin());  // the scene itself

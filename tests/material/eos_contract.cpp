@@ -68,6 +68,16 @@ TYPED_TEST(EosContract, ReferenceSoundSpeedIsThatOfUncompressedColdMaterial) {
   }
 }
 
+TYPED_TEST(EosContract, TheSceneKnowsItsSoundSpeedToo) {
+  // Estimates and warnings go by the scene alone; a new law must be known there as well.
+  for (const auto& material : this->materials) {
+    Scene scene = small_scene();
+    scene.material = material;
+    scene.material.eos = TypeParam::token;
+    EXPECT_DOUBLE_EQ(bulk_sound_speed(scene), TypeParam(material).reference_sound_speed());
+  }
+}
+
 TYPED_TEST(EosContract, ColdCompressionRaisesPressureAndSoundSpeed) {
   for (const auto& m : this->materials) {
     const TypeParam eos(m);

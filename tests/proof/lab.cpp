@@ -35,6 +35,28 @@ Scene lab_scene(const nlohmann::json& changes) {
   return parse_scene(scene);
 }
 
+nlohmann::json elastic_material(double rho0, double bulk_modulus, double shear_modulus) {
+  return {{"rho0_kg_per_m3", rho0},
+          {"eos", "linear"},
+          {"linear", {{"bulk_modulus_Pa", bulk_modulus}}},
+          {"shear_modulus_Pa", shear_modulus},
+          {"rheology", "elastic"}};
+}
+
+std::vector<double> zero_crossings(Solver& solver, const std::function<double()>& amplitude,
+                                   std::size_t count, double end_s) {
+  std::vector<double> crossings;
+  double before = amplitude(), time = solver.state().time;
+  while (crossings.size() < count && time < end_s) {
+    solver.cycle(end_s);
+    const double now = amplitude();
+    if (before * now < 0)
+      crossings.push_back(time + (solver.state().time - time) * before / (before - now));
+    before = now, time = solver.state().time;
+  }
+  return crossings;
+}
+
 nlohmann::json wall(const char* face, double at, const char* kind) {
   return {{"face", face}, {"at_m", at}, {"kind", kind}};
 }

@@ -6,6 +6,7 @@
 #include "solver/base/random.hpp"
 #include "solver/particles/state.hpp"
 #include "solver/scene/scene.hpp"
+#include "solver/step/solver.hpp"
 
 namespace eerie::proof {
 
@@ -19,6 +20,14 @@ State lattice_block(const Vec3& lo, const Vec3& hi, double spacing, double rho,
 
 /// A laboratory scene: no self-gravity, defaults otherwise, `changes` on top (a JSON merge patch).
 Scene lab_scene(const nlohmann::json& changes);
+
+/// The material of elastic tests: linear equation of state, no yield. SI.
+nlohmann::json elastic_material(double rho0, double bulk_modulus, double shear_modulus);
+
+/// Runs until `amplitude` has changed its sign `count` times, at most to `end_s`; the times, s, by
+/// linear interpolation between cycles.
+std::vector<double> zero_crossings(Solver& solver, const std::function<double()>& amplitude,
+                                   std::size_t count, double end_s);
 
 /// {"face": face, "at_m": at, "kind": kind}
 nlohmann::json wall(const char* face, double at, const char* kind = "slip");

@@ -51,12 +51,7 @@ Oscillation plate_oscillation(Support support, int layers, double artificial_str
         {{"walls",
           {wall("x_low", 0, clamped ? "rough" : "slip"), wall("z_low", 0),
            wall("z_high", depth)}}}},
-       {"material",
-        {{"rho0_kg_per_m3", rho0},
-         {"eos", "linear"},
-         {"linear", {{"bulk_modulus_Pa", K}}},
-         {"shear_modulus_Pa", G},
-         {"rheology", "elastic"}}},
+       {"material", elastic_material(rho0, K, G)},
        {"numerics",
         {{"artificial_stress", artificial_stress}, {"precision", "double"}, {"cfl", 0.8}}}});
   State state = lattice_block({0, -H / 2, 0}, {clamped ? L : L / 2, H / 2, depth}, d, rho0);
@@ -73,16 +68,9 @@ Oscillation plate_oscillation(Support support, int layers, double artificial_str
     for (std::size_t i = 0; i < now.size(); ++i) sum += now.v[i].y * mode[now.id[i]];
     return sum;
   };
-  const double end = 2 * thin_plate_period(support);
-  double crossings[2] = {}, before = amplitude(), time = 0;
-  for (int found = 0; found < 2 && time < end;) {
-    solver.cycle(end);
-    const double value = amplitude();
-    if (before * value < 0)
-      crossings[found++] = time + (now.time - time) * before / (before - value);
-    before = value, time = now.time;
-  }
-  Oscillation seen{2 * (crossings[1] - crossings[0]), 0};
+  const std::vector<double> crossings =
+      zero_crossings(solver, amplitude, 2, 2 * thin_plate_period(support));
+  Oscillation seen{crossings.size() == 2 ? 2 * (crossings[1] - crossings[0]) : 0, 0};
   for (std::size_t i = 0; i < now.size(); ++i)
     seen.z_drift = std::max(seen.z_drift, std::abs(now.x[i].z - start[now.id[i]].z) / d);
   return seen;

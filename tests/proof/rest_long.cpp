@@ -3,7 +3,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "solver/base/constants.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
 #include "tests/proof/ellipsoid.hpp"
@@ -19,7 +18,7 @@ TEST(RestingSphere, KeepsItsShapeForADay) {
                 "1e5 s: 150 dynamical times, 1e5 steps. Speeds in units of the escape speed.");
   const Scene scene = parse_scene({{"numerics", {{"particles_per_target", 1000}}}});
   Solver solver(scene, make_body(scene, Body::target));
-  const double escape = 50 * std::sqrt(8 * pi / 3 * newton_G * 2700);
+  const double escape = escape_speed(2700, 50);
   const Figure3 first = figure_of(scene, solver.state());
   Curve speed{"rms speed / escape speed", {}, {}};
   double fastest = 0, pressure = 0;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
@@ -36,7 +35,7 @@ double rms_speed(const State& state) {
 RestQuality rest_quality(const Scene& scene, double seconds) {
   RestQuality q;
   const double radius = scene.target.radius_m, rho = scene.material.rho0_kg_per_m3;
-  const double escape = radius * std::sqrt(8 * pi / 3 * newton_G * rho);
+  const double escape = escape_speed(rho, radius);
   try {
     Solver solver(scene, make_body(gentle(scene), Body::target));
     double cycles = 0;

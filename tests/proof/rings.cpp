@@ -16,12 +16,7 @@ RingsOutcome collide(const Rings& rings, double time) {
   nlohmann::json walls = {wall("z_low", 0), wall("z_high", depth)};
   if (rings.quarter) walls.push_back(wall("x_low", 0)), walls.push_back(wall("y_low", 0));
   const Scene scene = lab_scene({{"environment", {{"walls", walls}}},
-                                 {"material",
-                                  {{"rho0_kg_per_m3", rho0},
-                                   {"eos", "linear"},
-                                   {"linear", {{"bulk_modulus_Pa", K}}},
-                                   {"shear_modulus_Pa", G},
-                                   {"rheology", "elastic"}}},
+                                 {"material", elastic_material(rho0, K, G)},
                                  {"numerics",
                                   {{"artificial_stress", rings.artificial_stress},
                                    {"cfl", 0.8},

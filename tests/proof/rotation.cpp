@@ -9,12 +9,7 @@
 namespace eerie::proof {
 
 Rotated rotated_sphere(const std::string& gradient, double turns, double cfl) {
-  const Scene scene = lab_scene({{"material",
-                                  {{"rho0_kg_per_m3", 1000},
-                                   {"eos", "linear"},
-                                   {"linear", {{"bulk_modulus_Pa", 1000}}},
-                                   {"shear_modulus_Pa", 1000},
-                                   {"rheology", "elastic"}}},
+  const Scene scene = lab_scene({{"material", elastic_material(1000, 1000, 1000)},
                                  {"numerics", {{"gradient", gradient}, {"cfl", cfl}}}});
   State state =
       lattice_block({-1, -1, -1}, {1, 1, 1}, 0.2, 1000, [](const Vec3& x) { return norm2(x) < 1; });

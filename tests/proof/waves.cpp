@@ -123,12 +123,7 @@ double wave_speed_ratio(Wave wave, int across) {
   const bool shear = wave == Wave::shear;
   const Vec3 size{side, shear ? side : depth, depth};
   const Scene scene = lab_scene({{"environment", {{"walls", box_walls({0, 0, 0}, size)}}},
-                                 {"material",
-                                  {{"rho0_kg_per_m3", rho0},
-                                   {"eos", "linear"},
-                                   {"linear", {{"bulk_modulus_Pa", K}}},
-                                   {"shear_modulus_Pa", G},
-                                   {"rheology", "elastic"}}},
+                                 {"material", elastic_material(rho0, K, G)},
                                  {"numerics",
                                   {{"viscosity_alpha", 0.05},
                                    {"viscosity_beta", 0},
@@ -153,15 +148,8 @@ double wave_speed_ratio(Wave wave, int across) {
       sum += dot(solver.state().v[i], mode[solver.state().id[i]]);
     return sum;
   };
-  const double end = 2 * pi / frequency;
-  double crossings[2] = {}, before = amplitude(), time = 0;
-  for (int found = 0; found < 2 && time < 2 * end;) {
-    solver.cycle(2 * end);
-    const double now = amplitude();
-    if (before * now < 0)
-      crossings[found++] = time + (solver.state().time - time) * before / (before - now);
-    before = now, time = solver.state().time;
-  }
+  const std::vector<double> crossings = zero_crossings(solver, amplitude, 2, 4 * pi / frequency);
+  if (crossings.size() < 2) return 0;                     // it never swung back
   return pi / (crossings[1] - crossings[0]) / frequency;  // half a period apart
 }
 

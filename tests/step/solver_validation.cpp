@@ -5,7 +5,8 @@
 #include "solver/initial/bodies.hpp"
 #include "solver/initial/packing.hpp"
 #include "solver/step/solver.hpp"
-#include "solver/step/totals.hpp"
+#include "tests/proof/impact.hpp"
+#include "tests/proof/lab.hpp"
 #include "tests/step/runs.hpp"
 
 namespace eerie {
@@ -22,16 +23,11 @@ struct Drift {
 /// Runs the impact of `changes` to `end_s` and compares its totals with those of the start.
 Drift drift_over_impact(const json& changes, double end_s) {
   const Scene scene = small_scene(changes);
-  Solver solver(scene, make_impact(scene));
-  const Totals first = totals(scene, solver.state());
-  while (solver.state().time < end_s) solver.cycle(end_s);
-  const Totals last = totals(scene, solver.state());
+  const proof::ImpactEnd end = proof::followed(scene, end_s);
+  EXPECT_FALSE(end.failed) << end.failure;
   const double speed = scene.impact.v_imp_cm_per_s / 100;
-  return {norm(last.momentum - first.momentum) / (first.mass * speed),
-          norm(last.angular_momentum - first.angular_momentum) / norm(first.angular_momentum),
-          (last.kinetic_energy + last.potential_energy - first.kinetic_energy -
-           first.potential_energy) /
-              first.kinetic_energy};
+  return {norm(end.last.momentum - end.first.momentum) / (end.first.mass * speed),
+          end.angular_momentum_drift, end.energy_drift};
 }
 
 TEST(Impact, ConservesMomentumAndAngularMomentum) {
@@ -133,17 +129,8 @@ double torsional_period(const Scene& scene, double radius) {
     return sum;
   };
   // Two zero crossings are half a period apart; the first comes after a quarter.
-  double crossings[3] = {}, before = amplitude(), time = 0;
-  for (int found = 0; found < 3;) {
-    solver.cycle(solver.state().time + 1e9);
-    const double now = amplitude();
-    if (before * now < 0)
-      crossings[found++] = time + (solver.state().time - time) * before / (before - now);
-    before = now;
-    time = solver.state().time;
-    if (time > 1000) return 0;
-  }
-  return crossings[2] - crossings[0];
+  const std::vector<double> crossings = proof::zero_crossings(solver, amplitude, 3, 1000);
+  return crossings.size() == 3 ? crossings[2] - crossings[0] : 0;
 }
 
 TEST(ElasticSphere, TorsionalOscillationHasThePeriodOfTheory) {
