@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -168,8 +169,37 @@ template <int Stride>
 }
 #endif
 
-/// out[k] = sum over the lanes of in[k] for N <= 16 packs, always in the same order; `out` has
-/// room for 16.
+/// How many Pack<double> hold the lanes of one Pack<T>.
+template <class T>
+inline constexpr std::size_t parts = sizeof(double) / sizeof(T);
+
+/// Part p of a pack in double precision.
+template <class T>
+inline Pack<double> widened(Pack<T> x, std::size_t p) {
+  Pack<double> y;
+  for (int l = 0; l < lanes<double>; ++l)
+    y[l] = static_cast<double>(x[static_cast<int>(p) * lanes<double> + l]);
+  return y;
+}
+
+#if defined(__AVX512F__)
+template <>
+inline Pack<double> widened<float>(Pack<float> x, std::size_t p) {
+  return _mm512_cvtps_pd(p == 0 ? _mm512_castps512_ps256(x)
+                                : _mm256_castpd_ps(_mm512_extractf64x4_pd(_mm512_castps_pd(x), 1)));
+}
+#endif
+
+/// 0, 1, 2...: the index of rows that lie one after another.
+template <class T>
+inline constexpr auto rising = [] {
+  std::array<std::uint16_t, lanes<T>> index{};
+  for (std::size_t l = 0; l < index.size(); ++l) index[l] = static_cast<std::uint16_t>(l);
+  return index;
+}();
+
+/// out[k] = sum over the lanes of in[k], always in the same order; `out` has room for a multiple
+/// of 16.
 template <int N, class T>
 inline void lane_sums(const Pack<T> (&in)[N], T* out) {
   for (int k = 0; k < N; ++k) {
@@ -181,7 +211,7 @@ inline void lane_sums(const Pack<T> (&in)[N], T* out) {
   }
 }
 #if defined(__AVX512F__)
-/// All sixteen at once: a transpose that adds where it would only move.
+/// Sixteen at a time: a transpose that adds where it would only move.
 template <int N>
 [[gnu::always_inline]] inline void lane_sums(const Pack<float> (&in)[N], float* out) {
   const auto of = [&](int k) __attribute__((always_inline))->__m512 {
@@ -198,11 +228,30 @@ template <int N>
   const auto quarters = [](__m512 a, __m512 b) __attribute__((always_inline)) {
     return _mm512_add_ps(_mm512_shuffle_f32x4(a, b, 0x88), _mm512_shuffle_f32x4(a, b, 0xdd));
   };
-  _mm512_storeu_ps(out, quarters(quarters(four(0), four(4)), quarters(four(8), four(12))));
+#pragma GCC unroll 4
+  for (int k = 0; k < N; k += 16) {
+    const __m512 low = quarters(four(k), k + 4 < N ? four(k + 4) : __m512{});
+    const __m512 high = k + 8 < N ? quarters(four(k + 8), four(k + 12)) : __m512{};
+    _mm512_storeu_ps(out + k, quarters(low, high));
+  }
 }
+/// Eight at a time.
 template <int N>
 [[gnu::always_inline]] inline void lane_sums(const Pack<double> (&in)[N], double* out) {
-  for (int k = 0; k < N; ++k) out[k] = _mm512_reduce_add_pd(in[k]);
+  const auto of = [&](int k) __attribute__((always_inline))->__m512d {
+    return k < N ? in[k] : Pack<double>{};
+  };
+  const auto pair = [&](int k) __attribute__((always_inline)) {
+    return _mm512_add_pd(_mm512_unpacklo_pd(of(k), of(k + 1)),
+                         _mm512_unpackhi_pd(of(k), of(k + 1)));
+  };
+  const auto quarters = [](__m512d a, __m512d b) __attribute__((always_inline)) {
+    return _mm512_add_pd(_mm512_shuffle_f64x2(a, b, 0x88), _mm512_shuffle_f64x2(a, b, 0xdd));
+  };
+#pragma GCC unroll 4
+  for (int k = 0; k < N; k += 8)
+    _mm512_storeu_pd(out + k,
+                     quarters(quarters(pair(k), pair(k + 2)), quarters(pair(k + 4), pair(k + 6))));
 }
 #endif
 

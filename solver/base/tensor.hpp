@@ -1,54 +1,82 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "solver/base/vec3.hpp"
 
 namespace eerie {
 
-/// General 3x3 matrix, row-major: m[row][column].
-struct Mat3 {
-  double m[3][3] = {};
+// Every type here is a template over its numbers: double, or a Pack of them (simd.hpp) where the
+// same formula runs for several particles at once.
 
-  static constexpr Mat3 identity() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
-  constexpr double* operator[](int row) { return m[row]; }
-  constexpr const double* operator[](int row) const { return m[row]; }
+/// General 3x3 matrix, row-major: m[row][column].
+template <class T>
+struct Mat3Of {
+  T m[3][3] = {};
+
+  static constexpr Mat3Of identity() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
+  constexpr T* operator[](int row) { return m[row]; }
+  constexpr const T* operator[](int row) const { return m[row]; }
 };
+using Mat3 = Mat3Of<double>;
 
 /// Symmetric 3x3 tensor, six stored components.
-struct SymTensor {
-  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+template <class T>
+struct SymTensorOf {
+  T xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
 
-  constexpr SymTensor& operator+=(const SymTensor& o) {
+  constexpr SymTensorOf& operator+=(const SymTensorOf& o) {
     xx += o.xx, yy += o.yy, zz += o.zz, xy += o.xy, xz += o.xz, yz += o.yz;
     return *this;
   }
-  constexpr SymTensor& operator*=(double s) {
+  constexpr SymTensorOf& operator*=(T s) {
     xx *= s, yy *= s, zz *= s, xy *= s, xz *= s, yz *= s;
     return *this;
   }
-  constexpr bool operator==(const SymTensor&) const = default;
+  constexpr bool operator==(const SymTensorOf&) const = default;
 };
+using SymTensor = SymTensorOf<double>;
 
-constexpr SymTensor operator+(SymTensor a, const SymTensor& b) { return a += b; }
-constexpr SymTensor operator*(SymTensor a, double s) { return a *= s; }
-constexpr SymTensor operator*(double s, SymTensor a) { return a *= s; }
+template <class T>
+constexpr SymTensorOf<T> operator+(SymTensorOf<T> a, const SymTensorOf<T>& b) {
+  return a += b;
+}
+template <class T>
+constexpr SymTensorOf<T> operator*(SymTensorOf<T> a, std::type_identity_t<T> s) {
+  return a *= s;
+}
+template <class T>
+constexpr SymTensorOf<T> operator*(std::type_identity_t<T> s, SymTensorOf<T> a) {
+  return a *= s;
+}
 
-constexpr double trace(const SymTensor& s) { return s.xx + s.yy + s.zz; }
+template <class T>
+constexpr T trace(const SymTensorOf<T>& s) {
+  return s.xx + s.yy + s.zz;
+}
 
 /// s : s, the full double contraction (off-diagonals count twice).
-constexpr double contract(const SymTensor& s) {
+template <class T>
+constexpr T contract(const SymTensorOf<T>& s) {
   return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
 }
 
 /// Second invariant of a deviator, J2 = s:s / 2.
-constexpr double second_invariant(const SymTensor& s) { return contract(s) / 2; }
+template <class T>
+constexpr T second_invariant(const SymTensorOf<T>& s) {
+  return contract(s) / 2;
+}
 
-constexpr Mat3 to_matrix(const SymTensor& s) {
+template <class T>
+constexpr Mat3Of<T> to_matrix(const SymTensorOf<T>& s) {
   return {{{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}};
 }
 
-constexpr double trace(const Mat3& a) { return a[0][0] + a[1][1] + a[2][2]; }
+template <class T>
+constexpr T trace(const Mat3Of<T>& a) {
+  return a[0][0] + a[1][1] + a[2][2];
+}
 
 /// a : b, the sum of a_ij b_ij.
 constexpr double contract(const Mat3& a, const Mat3& b) {
@@ -58,8 +86,9 @@ constexpr double contract(const Mat3& a, const Mat3& b) {
   return sum;
 }
 
-constexpr Mat3 operator*(const Mat3& a, const Mat3& b) {
-  Mat3 c;
+template <class T>
+constexpr Mat3Of<T> operator*(const Mat3Of<T>& a, const Mat3Of<T>& b) {
+  Mat3Of<T> c;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
   return c;
@@ -75,14 +104,16 @@ constexpr Mat3 transpose(const Mat3& a) {
   return {{{a[0][0], a[1][0], a[2][0]}, {a[0][1], a[1][1], a[2][1]}, {a[0][2], a[1][2], a[2][2]}}};
 }
 
-constexpr double determinant(const SymTensor& s) {
+template <class T>
+constexpr T determinant(const SymTensorOf<T>& s) {
   return s.xx * (s.yy * s.zz - s.yz * s.yz) - s.xy * (s.xy * s.zz - s.yz * s.xz) +
          s.xz * (s.xy * s.yz - s.yy * s.xz);
 }
 
 /// Inverse by cofactors, given the determinant (must not be 0).
-constexpr SymTensor inverse(const SymTensor& s, double det) {
-  const double f = 1 / det;
+template <class T>
+constexpr SymTensorOf<T> inverse(const SymTensorOf<T>& s, T det) {
+  const T f = 1 / det;
   return {f * (s.yy * s.zz - s.yz * s.yz), f * (s.xx * s.zz - s.xz * s.xz),
           f * (s.xx * s.yy - s.xy * s.xy), f * (s.xz * s.yz - s.xy * s.zz),
           f * (s.xy * s.yz - s.xz * s.yy), f * (s.xy * s.xz - s.xx * s.yz)};

@@ -102,6 +102,8 @@ Snapshot read_file_bytes(const std::string& bytes) {
   if (h5::has(file, "Restart")) {
     const h5::Handle restart = h5::open_group(file, "Restart");
     snapshot.restart.emplace().list_support = positive(restart, "ListSupport");
+    snapshot.restart->builds_in_order = h5::read_integer(restart, "BuildsInOrder");
+    if (snapshot.restart->builds_in_order < 0) throw Failure("BuildsInOrder is negative");
     visit_restart(*snapshot.restart, from(restart));
   }
   return snapshot;

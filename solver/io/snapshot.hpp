@@ -11,7 +11,7 @@
 namespace eerie {
 
 /// Raised whenever a file written before can no longer be read.
-inline constexpr std::int64_t snapshot_format_version = 2;
+inline constexpr std::int64_t snapshot_format_version = 3;
 
 /// One HDF5 file in SWIFT's layout (docs/formats.md): a snapshot, and, when `rates` and
 /// `restart` are there, a checkpoint that continues with the same bits. Particles are in memory

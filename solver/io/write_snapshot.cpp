@@ -52,6 +52,7 @@ void write_groups(hid_t file, const Snapshot& snapshot) {
   if (snapshot.restart) {
     const h5::Handle restart = h5::new_group(file, "Restart");
     h5::write_attribute(restart, "ListSupport", snapshot.restart->list_support);
+    h5::write_attribute(restart, "BuildsInOrder", std::int64_t{snapshot.restart->builds_in_order});
     visit_restart(*snapshot.restart, into(restart));
   }
 }

@@ -60,6 +60,7 @@ struct Rates {
 struct Restart {
   std::vector<Vec3> list_x;  ///< positions at the last list build, m
   double list_support = 0;   ///< the support radius that it used, m
+  long builds_in_order = 0;  ///< list builds since particles were last sorted
 };
 
 /// Optional fields are visited where they are in use, that is not empty.

@@ -26,10 +26,9 @@ const Guard guards[] = {
      [](const Scene& s) { return s.numerics.cfl > restful_cfl(s.numerics); },
      "bodies do not come to rest and viscosity carries load that friction cannot feel; use 0.5 "
      "(0.4 where viscosity_alpha is below 0.5)"},
-    {"numerics.gravity_interval",
-     [](const Scene& s) { return static_cast<double>(s.numerics.gravity_interval); },
-     [](const Scene& s) { return s.numerics.gravity_interval > 20; },
-     "time step and gravity are held for too long; use 10"},
+    {"numerics.gravity_tolerance", [](const Scene& s) { return s.numerics.gravity_tolerance; },
+     [](const Scene& s) { return s.numerics.gravity_tolerance > 1e-3; },
+     "time step and gravity are held for too long; use 1e-4"},
     {"numerics.opening_angle", [](const Scene& s) { return s.numerics.opening_angle; },
      [](const Scene& s) { return s.numerics.opening_angle > 0.5; },
      "the tree's net torque moves the angular momentum by more than 1e-3 over an impact; use 0.35"},

@@ -76,6 +76,7 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/numerics/viscosity_beta", s.numerics.viscosity_beta);
   visit("/numerics/cfl", s.numerics.cfl);
   visit("/numerics/opening_angle", s.numerics.opening_angle);
+  visit("/numerics/gravity_tolerance", s.numerics.gravity_tolerance);
   visit("/numerics/gravity_interval", s.numerics.gravity_interval);
   visit("/numerics/list_skin", s.numerics.list_skin);
   visit("/numerics/precision", s.numerics.precision);

@@ -86,7 +86,8 @@ struct Scene {
     double viscosity_alpha, viscosity_beta;
     double cfl;                     ///< dt = cfl h / (c_l + h |div v|), c_l: longitudinal wave
     double opening_angle;           ///< Barnes-Hut: node size over distance
-    std::int64_t gravity_interval;  ///< steps from one gravity kick to the next
+    double gravity_tolerance;       ///< relative error of gravity between its evaluations
+    std::int64_t gravity_interval;  ///< the most steps from one evaluation to the next
     double list_skin;               ///< extra neighbour search radius over 2h
     std::string precision;          ///< of pair sums: "float" or "double"; the state is double
   } numerics;

@@ -9,7 +9,8 @@
 namespace eerie {
 
 /// What a neighbour contributes to pair sums: twenty numbers in five blocks of four, and eight
-/// more in scenes with evolving smoothing lengths or artificial stress.
+/// more in scenes with evolving smoothing lengths or artificial stress. Lengths are in units of
+/// the scene's smoothing length h0.
 /// Positions and velocities are relative to the first particle of the row's bucket, subtracted
 /// in double, so that single precision keeps differences to a part in 1e7 of a bucket.
 template <class Real, bool extended>
@@ -18,19 +19,18 @@ struct PairRow;
 template <class Real>
 struct alignas(4 * sizeof(Real)) PairRow<Real, false> {
   static constexpr int stride = 20;
-  Real x, y, z;     ///< m
-  Real V;           ///< volume m/rho, m^3
+  Real x, y, z;     ///< h0
+  Real V;           ///< volume m/rho, h0^3
   Real vx, vy, vz;  ///< m/s
-  Real rho;         ///< kg/m^3
-  Real T[9];        ///< momentum flux -p 1 + S L, row-major, Pa
   Real c;           ///< sound speed, m/s
-  Real unused[2];
+  Real T[9];        ///< momentum flux -p 1 + S L, row-major, Pa
+  Real unused[3];
 };
 template <class Real>
 struct alignas(4 * sizeof(Real)) PairRow<Real, true> : PairRow<Real, false> {
   static constexpr int stride = 28;
   Real R[6];       ///< artificial stress, xx yy zz xy xz yz, Pa
-  Real inverse_h;  ///< 1/m
+  Real inverse_h;  ///< h0/h
   Real weight;     ///< (h0/h)^5: its kernel gradient's normalisation over that of h0
 };
 
@@ -40,6 +40,9 @@ class PairRows {
  public:
   using Row = PairRow<Real, extended>;
 
+  /// `h0`: the scene's smoothing length, m.
+  explicit PairRows(double h0) : h0_(h0), per_h0_(1 / h0), per_h0_cubed_(1 / (h0 * h0 * h0)) {}
+
   void resize(std::size_t particles) {
     rows_.resize(particles);
     origins_.resize(bucket_count(particles));
@@ -48,24 +51,24 @@ class PairRows {
   /// Takes the bucket's first particle as the origin of its rows. Before any set().
   void set_origin(std::size_t bucket, const Vec3& x, const Vec3& v) { origins_[bucket] = {x, v}; }
 
-  void set(std::size_t i, const Vec3& x, const Vec3& v, double V, double rho, double c) {
+  void set(std::size_t i, const Vec3& x, const Vec3& v, double V, double c) {
     const Origin& o = origins_[i / bucket_size];
+    const Vec3 d = (x - o.x) * per_h0_, u = v - o.v;
     Row& r = rows_[i];
-    r.x = real(x.x - o.x.x), r.y = real(x.y - o.x.y), r.z = real(x.z - o.x.z);
-    r.vx = real(v.x - o.v.x), r.vy = real(v.y - o.v.y), r.vz = real(v.z - o.v.z);
-    r.V = real(V), r.rho = real(rho), r.c = real(c);
+    r.x = real(d.x), r.y = real(d.y), r.z = real(d.z), r.V = real(V * per_h0_cubed_);
+    r.vx = real(u.x), r.vy = real(u.y), r.vz = real(u.z), r.c = real(c);
   }
   void set_flux(std::size_t i, const Mat3& T) {
     for (int k = 0; k < 9; ++k) rows_[i].T[k] = real(T[k / 3][k % 3]);
   }
 
-  /// R in Pa; h in m, h0 the scene's.
-  void set_extra(std::size_t i, const SymTensor& R, double h, double h0) requires extended {
+  /// R in Pa; h in m.
+  void set_extra(std::size_t i, const SymTensor& R, double h) requires extended {
     Row& r = rows_[i];
     r.R[0] = real(R.xx), r.R[1] = real(R.yy), r.R[2] = real(R.zz);
     r.R[3] = real(R.xy), r.R[4] = real(R.xz), r.R[5] = real(R.yz);
-    const double ratio = h0 / h, ratio2 = ratio * ratio;
-    r.inverse_h = real(1 / h), r.weight = real(ratio2 * ratio2 * ratio);
+    const double ratio = h0_ / h, ratio2 = ratio * ratio;
+    r.inverse_h = real(ratio), r.weight = real(ratio2 * ratio2 * ratio);
   }
 
   /// Copies the rows of `list` relative to the origin of `bucket`, with the dummy row last.
@@ -76,11 +79,11 @@ class PairRows {
     for (std::size_t k = 0; k < list.rows.size(); ++k) {
       const std::uint32_t j = list.rows[k];
       const Origin& o = origins_[j / bucket_size];
+      const Vec3 d = (o.x - home.x) * per_h0_, u = o.v - home.v;
       Row& r = local[k];
       r = rows_[j];
-      r.x += real(o.x.x - home.x.x), r.y += real(o.x.y - home.x.y), r.z += real(o.x.z - home.x.z);
-      r.vx += real(o.v.x - home.v.x), r.vy += real(o.v.y - home.v.y),
-          r.vz += real(o.v.z - home.v.z);
+      r.x += real(d.x), r.y += real(d.y), r.z += real(d.z);
+      r.vx += real(u.x), r.vy += real(u.y), r.vz += real(u.z);
     }
     for (std::size_t k = 0; k < list.images.size(); ++k)
       if (list.images[k] > 0)
@@ -88,7 +91,6 @@ class PairRows {
     // Far away, at rest, without volume: every pair with it contributes exactly nothing.
     local.back() = Row{};
     local.back().x = Real(1e9);
-    local.back().rho = 1;
     if constexpr (extended) local.back().inverse_h = 1;
   }
 
@@ -100,7 +102,8 @@ class PairRows {
   Row mirrored(std::uint32_t j, const Image& image, const Origin& home) const {
     const Origin& o = origins_[j / bucket_size];
     Row r = rows_[j];
-    const Vec3 x = image(o.x + Vec3{double(r.x), double(r.y), double(r.z)}) - home.x;
+    const Vec3 at = o.x + h0_ * Vec3{double(r.x), double(r.y), double(r.z)};
+    const Vec3 x = (image(at) - home.x) * per_h0_;
     const Vec3 v = image.velocity(o.v + Vec3{double(r.vx), double(r.vy), double(r.vz)}) - home.v;
     const Vec3& st = image.stress_sign;
     r.x = real(x.x), r.y = real(x.y), r.z = real(x.z);
@@ -112,6 +115,7 @@ class PairRows {
     return r;
   }
   static Real real(double value) { return static_cast<Real>(value); }
+  double h0_, per_h0_, per_h0_cubed_;
   std::vector<Row> rows_;
   std::vector<Origin> origins_;
 };

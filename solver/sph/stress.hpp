@@ -25,19 +25,25 @@ inline bool is_collapsed(const SymTensor& C, double filling = 1) {
 }
 
 /// L = C^-1, which makes the SPH gradient exact for linear fields (Bonet & Lok 1999).
-inline SymTensor correction_matrix(const SymTensor& C) {
-  const double det = determinant(C);
-  return det > smallest_correctable_determinant ? inverse(C, det) : SymTensor{1, 1, 1, 0, 0, 0};
+template <class T>
+SymTensorOf<T> correction_matrix(const SymTensorOf<T>& C) {
+  const T det = determinant(C), none = T{}, one = none + 1;
+  const auto correctable = det > smallest_correctable_determinant;
+  const SymTensorOf<T> L = inverse(C, T(correctable ? det : one));
+  return {correctable ? L.xx : one,  correctable ? L.yy : one,  correctable ? L.zz : one,
+          correctable ? L.xy : none, correctable ? L.xz : none, correctable ? L.yz : none};
 }
 
 /// Hooke's law with the Jaumann rate (Libersky & Petschek 1991, eq. 2):
 /// dS/dt = 2 G (e - tr(e)/3 1) + R S - S R, with strain rate e and spin R of the velocity
 /// gradient g[a][b] = dv_a/dx_b.
-inline SymTensor stress_rate(const SymTensor& S, const Mat3& g, double shear_modulus) {
-  const double third = (g[0][0] + g[1][1] + g[2][2]) / 3, twoG = 2 * shear_modulus;
+template <class T>
+SymTensorOf<T> stress_rate(const SymTensorOf<T>& S, const Mat3Of<T>& g, double shear_modulus) {
+  const T third = trace(g) / 3;
+  const double twoG = 2 * shear_modulus;
   // Spin components R_ab = (g_ab - g_ba) / 2.
-  const double rxy = (g[0][1] - g[1][0]) / 2, rxz = (g[0][2] - g[2][0]) / 2,
-               ryz = (g[1][2] - g[2][1]) / 2;
+  const T rxy = (g[0][1] - g[1][0]) / 2, rxz = (g[0][2] - g[2][0]) / 2,
+          ryz = (g[1][2] - g[2][1]) / 2;
   return {twoG * (g[0][0] - third) + 2 * (rxy * S.xy + rxz * S.xz),
           twoG * (g[1][1] - third) + 2 * (ryz * S.yz - rxy * S.xy),
           twoG * (g[2][2] - third) - 2 * (rxz * S.xz + ryz * S.yz),

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/base/packs.hpp"
 #include "solver/base/principal.hpp"
 #include "solver/sph/stress.hpp"
 #include "solver/step/solver.hpp"
@@ -47,7 +48,7 @@ void Solver::apply_laws(std::size_t b, double ahead, std::array<Predicted, bucke
   std::visit(
       [&](const auto& eos, const auto& rheology) {
         for (std::size_t i = first; i < last; ++i) {
-          const double rho = state_.rho[i] + ahead * rates_.drho_dt[i];
+          const double rho = predicted_density(i, ahead);
           const Condition now = condition(i, ahead);
           const EosPoint point = eos(rho, now.u);
           const double p = rheology.pressure(point.p, now);
@@ -77,10 +78,10 @@ void Solver::fill_rows(std::size_t b, double ahead,
     for (std::size_t i = first; i < last; ++i) {
       const auto [rho, c] = bucket[i - first];
       const Vec3 v = state_.v[i] + ahead * (rates_.dv_dt[i] + gravity(i, age));
-      sums.rows.set(i, state_.x[i], v, state_.mass / rho, rho, c);
+      sums.rows.set(i, state_.x[i], v, state_.mass / rho, c);
       sums.rows.set_flux(i, momentum_flux(i));
       if constexpr (std::remove_cvref_t<decltype(sums)>::extended)
-        sums.rows.set_extra(i, artificial_stress(i), smoothing_length(rho), state_.h);
+        sums.rows.set_extra(i, artificial_stress(i), smoothing_length(rho));
     }
   });
 }
@@ -95,34 +96,57 @@ SymTensor Solver::artificial_stress(std::size_t i) const {
   return -eps * positive_part(stress);
 }
 
+/// Rates of the energy and its parts, from the sums of particle i.
+void Solver::set_heating(std::size_t i, double ahead, const NeighbourSums& s) {
+  const Mat3 T = momentum_flux(i);
+  const double rho = predicted_density(i, ahead), strain_power = contract(T, s.G);
+  rates_.viscous_heating[i] = s.heat / rho;
+  rates_.shear_power[i] = (strain_power + pressure_[i] * trace(s.G)) / rho;
+  rates_.du_dt[i] = (strain_power + s.heat) / rho;
+}
+
+/// Rates of `count` particles from i on; several at once, as everything here is arithmetic.
+/// Returns whether the gradients of all of them could be corrected.
+bool Solver::set_rates(std::size_t i, std::size_t count, double ahead, const PackedSums& s) {
+  using P = DoublePack;
+  const P rho = gathered(count, [&](std::size_t l) { return predicted_density(i + l, ahead); });
+  const SymTensorOf<P> S = gathered_tensors(count, &S_predicted_[i]);
+  SymTensorOf<P> L{P{} + 1, P{} + 1, P{} + 1, P{}, P{}, P{}};
+  bool corrected = true;
+  if (gradient_ != Gradient::plain) {
+    L = correction_matrix(s.C);
+    const P determinants = determinant(s.C);
+    for (std::size_t l = 0; l < count; ++l)
+      corrected &= determinants[l] > smallest_correctable_determinant;
+  }
+  const P per_rho = 1 / rho;
+  scatter_tensors(count, L, &rates_.correction[i]);
+  scatter_tensors(count, stress_rate(S, s.G * to_matrix(L), material_.shear_modulus),
+                  &rates_.dS_dt[i]);
+  scatter(count, P(-rho * trace(s.G)),
+          [&](std::size_t l, double rate) { rates_.drho_dt[i + l] = rate; });
+  for (int a = 0; a < 3; ++a)
+    scatter(count, P(s.force[a] * per_rho),
+            [&](std::size_t l, double rate) { rates_.dv_dt[i + l][a] = rate; });
+  return corrected;
+}
+
 /// All neighbour sums in one visit; from them the corrected velocity gradient and the rates of
 /// density, stress, velocity and energy.
 void Solver::sum_over_neighbours(double ahead) {
   const StageTimer timer(stages_, Stage::pairs);
   std::size_t singular = nobody;
   visit_sums([&](auto& sums) {
-    sums.sweep(lists_, state_.size(), [&](std::size_t i, const NeighbourSums& s) {
-      const double rho = state_.rho[i] + ahead * rates_.drho_dt[i];
-      if constexpr (std::remove_cvref_t<decltype(sums)>::extended) {
-        if (fields_.energy) {
-          const Mat3 T = momentum_flux(i);
-          rates_.viscous_heating[i] = s.heat / rho;
-          rates_.shear_power[i] = (contract(T, s.G) + pressure_[i] * trace(s.G)) / rho;
-          rates_.du_dt[i] = (contract(T, s.G) + s.heat) / rho;
-        }
-      }
-      SymTensor L{1, 1, 1, 0, 0, 0};
-      if (gradient_ != Gradient::plain) {
-        if (is_collapsed(s.C, rho / material_.reference_density)) {
+    sums.sweep(lists_, state_.size(), [&](std::size_t i, std::size_t count, const auto& s) {
+      if constexpr (std::remove_cvref_t<decltype(sums)>::extended)
+        if (fields_.energy)
+          for (std::size_t l = 0; l < count; ++l) set_heating(i + l, ahead, lane(s, l));
+      if (set_rates(i, count, ahead, s)) return;
 #pragma omp critical
-          singular = std::min(singular, i);
-        }
-        L = correction_matrix(s.C);
-      }
-      rates_.correction[i] = L;
-      rates_.drho_dt[i] = -rho * trace(s.G);
-      rates_.dS_dt[i] = stress_rate(S_predicted_[i], s.G * to_matrix(L), material_.shear_modulus);
-      rates_.dv_dt[i] = s.force / rho;
+      for (std::size_t l = 0; l < count; ++l)
+        if (is_collapsed(lane(s, l).C,
+                         predicted_density(i + l, ahead) / material_.reference_density))
+          singular = std::min(singular, i + l);
     });
   });
   check(singular, "singular-matrix",

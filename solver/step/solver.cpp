@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/principal.hpp"
 #include "solver/step/walls.hpp"
@@ -14,6 +15,8 @@ namespace eerie {
 
 namespace {
 
+/// Particles are sorted again with every so many list builds: their order decays slowly.
+constexpr long builds_per_order = 8;
 /// Limit from accelerations, dt <= 0.25 sqrt(h/|a|) (Monaghan 1992).
 constexpr double acceleration_safety = 0.25;
 /// Streams 0 and 1 of random numbers pack the bodies.
@@ -34,8 +37,8 @@ Solver::Sums Solver::make_sums() const {
         using Kernel = decltype(kernel);
         const auto make = [&]<bool x>(std::bool_constant<x>) -> Sums {
           if (n.precision == "double")
-            return SumsOf<x>(PairSums<double, Kernel, x>(state_.h, viscosity, extra));
-          return SumsOf<x>(PairSums<float, Kernel, x>(state_.h, viscosity, extra));
+            return SumsOf<x>(PairSums<double, Kernel, x>(state_.h, state_.mass, viscosity, extra));
+          return SumsOf<x>(PairSums<float, Kernel, x>(state_.h, state_.mass, viscosity, extra));
         };
         return extended ? make(std::true_type{}) : make(std::false_type{});
       },
@@ -89,6 +92,7 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
   } else {
     tree_.fit(restart.list_x);
     lists_.set_support(restart.list_support);
+    builds_in_order_ = restart.builds_in_order;
     lists_.build(tree_, restart.list_x);
   }
 }
@@ -97,7 +101,7 @@ void Solver::cycle(double end_time) {
   dt_ = time_step();
   const double left = end_time - state_.time;
   const auto steps_left = static_cast<long>(std::ceil(left / dt_ * (1 - 1e-12)));
-  const long interval = scene_.numerics.gravity_interval;
+  const long interval = steps_in_cycle();
   const long steps = std::min(interval, std::max(1L, steps_left));
   if (steps_left <= interval) dt_ = left / static_cast<double>(steps);
   for (since_gravity_ = 0; since_gravity_ < steps;) step();
@@ -166,9 +170,10 @@ void Solver::update_lists() {
     const StageTimer timer(stages_, Stage::neighbours);
     if (largest_support() <= lists_.support() && !lists_.used_up(state_.x)) return;
   }
-  {
+  if (++builds_in_order_ >= builds_per_order) {
     const StageTimer timer(stages_, Stage::reorder);
     reorder();
+    builds_in_order_ = 0;
   }
   const StageTimer timer(stages_, Stage::neighbours);
   tree_.fit(state_.x);
@@ -233,6 +238,7 @@ void Solver::evaluate_gravity(double elapsed) {
   tree_.fit(state_.x);
   const std::vector<Vec3> before = rates_.g;
   gravity_.accelerations(tree_, state_.x, rates_.g);
+#pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < state_.size(); ++i) {
     rates_.g[i] += uniform;
     rates_.dg_dt[i] = elapsed > 0 ? (rates_.g[i] - before[i]) / elapsed : Vec3{};
@@ -271,6 +277,22 @@ double Solver::time_step() const {
   if (highest > 0) dt = scene_.numerics.cfl / highest;
   if (strongest > 0) dt = std::min(dt, acceleration_safety / std::sqrt(std::sqrt(strongest)));
   return dt;
+}
+
+/// Steps between evaluations of gravity, so that its linear extrapolation over t errs by
+/// (t/T)^2/2 = gravity_tolerance. T, the time in which the field changes, is the shorter one of
+/// the dynamical time (G rho0)^-1/2 and of the time in which particles cross the radius of a body
+/// of the whole mass.
+long Solver::steps_in_cycle() const {
+  double v2 = 0;
+  for (const Vec3& v : state_.v) v2 += norm2(v);
+  const double n = static_cast<double>(state_.size());
+  const double radius = std::cbrt(3 * n * state_.mass / (4 * pi * material_.reference_density));
+  const double change =
+      std::max(std::sqrt(newton_G * material_.reference_density), std::sqrt(v2 / n) / radius);
+  const double steps = std::sqrt(2 * scene_.numerics.gravity_tolerance) / (change * dt_);
+  const auto most = static_cast<double>(scene_.numerics.gravity_interval);
+  return static_cast<long>(std::clamp(steps, 1.0, most));
 }
 
 void Solver::damp(double factor, const Vec3& omega) {

@@ -20,9 +20,9 @@ namespace eerie {
 /// Equations and scheme: docs/equations.md.
 ///
 /// A predictor-corrector leapfrog with one evaluation of the elastic and frictional forces per
-/// step. Gravity is evaluated every `gravity_interval` steps and extrapolated linearly in
-/// between. A *cycle* is such a group of steps with one dt; runs are interrupted only between
-/// cycles.
+/// step. Gravity changes slowly: it is evaluated once in a *cycle* of steps, as long as
+/// `gravity_tolerance` allows, and extrapolated linearly in between. A cycle has one dt; runs are
+/// interrupted only between cycles.
 class Solver {
  public:
   /// Takes the state, sorts it into memory order and evaluates its first rates. Fields of
@@ -32,7 +32,7 @@ class Solver {
   Solver(const Scene& scene, State state, Rates rates, const Restart& restart,
          std::vector<double> pressure);
 
-  /// One cycle of gravity_interval steps, shorter where `end_time` is near. Throws
+  /// One cycle of steps, shorter where `end_time` is near. Throws
   /// NumericalError when the state stops being physical; the state is then of no use.
   void cycle(double end_time);
 
@@ -44,7 +44,7 @@ class Solver {
 
   const State& state() const { return state_; }
   const Rates& rates() const { return rates_; }
-  Restart restart() const { return {lists_.built_at(), lists_.support()}; }
+  Restart restart() const { return {lists_.built_at(), lists_.support(), builds_in_order_}; }
   const std::vector<double>& pressure() const { return pressure_; }
   const Material& material() const { return material_; }
   double dt() const { return dt_; }
@@ -89,9 +89,14 @@ class Solver {
   void fill_rows(std::size_t bucket, double ahead,
                  const std::array<Predicted, bucket_size>& predicted);
   void sum_over_neighbours(double ahead);
+  bool set_rates(std::size_t i, std::size_t count, double ahead, const PackedSums& sums);
+  void set_heating(std::size_t i, double ahead, const NeighbourSums& sums);
   void grow_damage(double duration);
   void evaluate_gravity(double elapsed);
 
+  double predicted_density(std::size_t i, double ahead) const {
+    return state_.rho[i] + ahead * rates_.drho_dt[i];
+  }
   double smoothing_length(double rho) const;
   double largest_support() const;
   Condition condition(std::size_t i, double ahead) const;
@@ -101,6 +106,7 @@ class Solver {
   Vec3 gravity(std::size_t i, double age) const { return rates_.g[i] + age * rates_.dg_dt[i]; }
   double stiffening(std::size_t i) const;
   double time_step() const;
+  long steps_in_cycle() const;
 
   void expect_speeds();
   void check_positions();
@@ -125,7 +131,7 @@ class Solver {
   std::vector<double> pressure_;        ///< at the time of the rates
   long since_gravity_ = 0;              ///< steps since gravity was evaluated
   double dt_ = 0;
-  long list_builds_ = 0, uncorrected_ = 0;
+  long list_builds_ = 0, builds_in_order_ = 0, uncorrected_ = 0;
   /// No particle gets further than reach + fastest_expected (t - begun).
   double reach_ = 0, fastest_expected_ = 0, begun_ = 0;
   StageTimes stages_;

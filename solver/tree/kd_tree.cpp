@@ -59,15 +59,17 @@ KdTree::KdTree(std::size_t particles) {
 }
 
 void KdTree::fit(const std::vector<Vec3>& x) {
+#pragma omp parallel for schedule(static)
+  for (Node& node : nodes) {
+    node.box = Box{};
+    if (node.is_leaf())
+      for (std::uint32_t i = node.begin; i < node.end; ++i) node.box.include(x[i]);
+  }
   for (std::size_t n = nodes.size(); n-- > 0;) {  // children come after their parent
     Node& node = nodes[n];
-    node.box = Box{};
-    if (node.is_leaf()) {
-      for (std::uint32_t i = node.begin; i < node.end; ++i) node.box.include(x[i]);
-    } else {
-      node.box.include(nodes[node.left].box);
-      node.box.include(nodes[node.right].box);
-    }
+    if (node.is_leaf()) continue;
+    node.box.include(nodes[node.left].box);
+    node.box.include(nodes[node.right].box);
   }
 }
 

@@ -8,12 +8,9 @@
 
 namespace eerie::bench {
 
-inline Scene scene(long particles_per_target, const std::string& precision = "float",
-                   double opening_angle = 0.5) {
-  return parse_scene({{"numerics",
-                       {{"particles_per_target", particles_per_target},
-                        {"precision", precision},
-                        {"opening_angle", opening_angle}}}});
+inline Scene scene(long particles_per_target, const std::string& precision = "float") {
+  return parse_scene(
+      {{"numerics", {{"particles_per_target", particles_per_target}, {"precision", precision}}}});
 }
 
 /// The two bodies at the start of the reference impact, in memory order. Made once per size.

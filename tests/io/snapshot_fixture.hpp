@@ -75,6 +75,7 @@ inline Snapshot random_snapshot(std::size_t n, bool checkpoint = true) {
     resize(s.rates.emplace(), n, {true, true});
     visit_rates(*s.rates, fill_all);
     s.restart.emplace().list_support = 2.3 / 7;
+    s.restart->builds_in_order = 5;
     visit_restart(*s.restart, [&](const char* name, auto& array) {
       array.resize(n);
       fill_all(name, array);
@@ -116,6 +117,7 @@ inline std::vector<std::string> differences(const Snapshot& a, const Snapshot& b
     against([](const auto& r, auto&& visit) { visit_rates(r, visit); }, *a.rates, *b.rates);
   if (a.restart && b.restart) {
     note(a.restart->list_support == b.restart->list_support, "list_support");
+    note(a.restart->builds_in_order == b.restart->builds_in_order, "builds_in_order");
     against([](const auto& r, auto&& visit) { visit_restart(r, visit); }, *a.restart, *b.restart);
   }
   return found;

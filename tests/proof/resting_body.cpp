@@ -15,8 +15,8 @@ namespace {
 Scene gentle(const Scene& scene) {
   nlohmann::json json = to_json(scene);
   const nlohmann::json defaults = to_json(parse_scene(nlohmann::json::object()));
-  for (const char* name :
-       {"cfl", "viscosity_alpha", "viscosity_beta", "gravity_interval", "integrator"})
+  for (const char* name : {"cfl", "viscosity_alpha", "viscosity_beta", "gravity_interval",
+                           "gravity_tolerance", "integrator"})
     json["numerics"][name] = defaults["numerics"][name];
   return parse_scene(json);
 }

@@ -88,7 +88,7 @@ double stress_from_rotation(Correction&& correction) {
 }
 
 TEST(CorrectedGradient, RigidRotationMakesNoStress) {
-  EXPECT_LT(stress_from_rotation(correction_matrix), 1e-12);  // rounding, as above
+  EXPECT_LT(stress_from_rotation(correction_matrix<double>), 1e-12);  // rounding, as above
 }
 
 TEST(CorrectedGradient, WithoutItRigidRotationMakesStress) {

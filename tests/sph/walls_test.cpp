@@ -76,18 +76,18 @@ void expect_sums_over_images(const std::vector<Mirror>& mirrors) {
   for (const Particle& p : particles) x.push_back(p.x);
   NeighbourList lists(2 * h, 0.2 * h, images_of(mirrors));
   lists.build(test::fitted_tree(x), x);
-  PairSums<double, CubicSpline> sums(h, {0, 0});
+  PairSums<double, CubicSpline> sums(h, 1, {0, 0});
   sums.rows.resize(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (i % bucket_size == 0) sums.rows.set_origin(i / bucket_size, x[i], particles[i].v);
-    sums.rows.set(i, x[i], particles[i].v, 1, 1, 1);
+    sums.rows.set(i, x[i], particles[i].v, 1, 1);
     sums.rows.set_flux(i, particles[i].T);
   }
   double scale = 0, G = 0, force = 0;
-  sums.sweep(lists, x.size(), [&](std::size_t i, const NeighbourSums& found) {
-    const NeighbourSums exact = brute_force(all, i);
+  sums.sweep(lists, x.size(), [&](std::size_t i, std::size_t count, const PackedSums& packed) {
 #pragma omp critical
-    {
+    for (std::size_t l = 0; l < count; ++l) {
+      const NeighbourSums exact = brute_force(all, i + l), found = lane(packed, l);
       scale = std::max({scale, norm(exact.force), test::largest_entry(exact.G)});
       force = std::max(force, norm(found.force - exact.force));
       G = std::max(G, test::largest_entry(test::difference(found.G, exact.G)));

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+
+#include "solver/base/simd.hpp"
+#include "solver/base/tensor.hpp"
+
+namespace eerie {
+
+// Several particles at once: their numbers from arrays of structures into packs and back. `count`
+// of the lanes are particles; the others read zero and are not written.
+
+using DoublePack = Pack<double>;
+
+/// Lane l is value(l).
+template <class Value>
+[[gnu::always_inline]] inline DoublePack gathered(std::size_t count, Value&& value) {
+  DoublePack pack{};
+  if (count == lanes<double>)
+    for (std::size_t l = 0; l < lanes<double>; ++l) pack[l] = value(l);
+  else
+    for (std::size_t l = 0; l < count; ++l) pack[l] = value(l);
+  return pack;
+}
+
+/// put(l, lane l).
+template <class Put>
+[[gnu::always_inline]] inline void scatter(std::size_t count, DoublePack pack, Put&& put) {
+  if (count == lanes<double>)
+    for (std::size_t l = 0; l < lanes<double>; ++l) put(l, pack[l]);
+  else
+    for (std::size_t l = 0; l < count; ++l) put(l, pack[l]);
+}
+
+inline SymTensorOf<DoublePack> gathered_tensors(std::size_t count, const SymTensor* s) {
+  const auto of = [&](auto component) __attribute__((always_inline)) {
+    return gathered(count, [&](std::size_t l) { return s[l].*component; });
+  };
+  return {of(&SymTensor::xx), of(&SymTensor::yy), of(&SymTensor::zz),
+          of(&SymTensor::xy), of(&SymTensor::xz), of(&SymTensor::yz)};
+}
+
+inline void scatter_tensors(std::size_t count, const SymTensorOf<DoublePack>& packs, SymTensor* s) {
+  const auto put = [&](auto component, DoublePack pack) __attribute__((always_inline)) {
+    scatter(count, pack, [&](std::size_t l, double value) { s[l].*component = value; });
+  };
+  put(&SymTensor::xx, packs.xx), put(&SymTensor::yy, packs.yy), put(&SymTensor::zz, packs.zz);
+  put(&SymTensor::xy, packs.xy), put(&SymTensor::xz, packs.xz), put(&SymTensor::yz, packs.yz);
+}
+
+}  // namespace eerie
