@@ -49,11 +49,16 @@ struct ExtraTerms {
 /// visit of each pair. `extended` scenes have heat and ExtraTerms; others pay nothing for them.
 /// Each sum is made by one thread in list order; `finish(i, count, sums)` runs right after them on
 /// the same thread, for particles i to i + count - 1: lane l of `sums` belongs to i + l.
+///
+/// A visit has four short loops over the pairs of a particle, a pack of them at a time, with their
+/// numbers in memory in between: a long one would wait for the latency of square roots and
+/// divisions. Geometry and viscosity need the numbers of several neighbours side by side, which takes
+/// a transposition; fluxes are only weighed and added, row by row, and need none.
 template <class Real, class Kernel, bool extended_ = false>
 class PairSums {
  public:
+  using Number = Real;
   static constexpr bool extended = extended_;
-  using Row = PairRow<Real, extended>;
   PairRows<Real, extended> rows;
 
   /// h: the scene's smoothing length, m; mass: of a particle, kg.
@@ -69,16 +74,15 @@ class PairSums {
   void sweep(const NeighbourList& lists, std::size_t particles, Finish&& finish) const {
 #pragma omp parallel
     {
-      std::vector<Row> local;
-      std::vector<Raw> raw(bucket_size);
+      Desk desk;
 #pragma omp for schedule(dynamic, 2)
       for (std::size_t b = 0; b < lists.buckets(); ++b) {
-        rows.gather(b, lists, local);
+        rows.gather(b, lists, desk.local);
         const std::size_t first = b * bucket_size, n = std::min(bucket_size, particles - first);
-        for (std::size_t k = 0; k < n; ++k) sum(local.data(), k, lists[b], raw[k]);
+        for (std::size_t k = 0; k < n; ++k) sum(k, lists[b], desk);
         for (std::size_t k = 0; k < n; k += lanes<Real>) {
           std::size_t at = k;
-          for (const PackedSums& sums : scaled(raw.data() + k)) {
+          for (const PackedSums& sums : scaled(desk, k)) {
             if (at < n) finish(first + at, std::min<std::size_t>(n - at, lanes<double>), sums);
             at += lanes<double>;
           }
@@ -91,121 +95,180 @@ class PairSums {
   using P = Pack<Real>;
   static Real real(double value) { return static_cast<Real>(value); }
 
-  /// The sums of one particle without their normalisation: C, G, kernel gradients, force, heat.
-  struct alignas(vector_bytes) Raw {
-    static constexpr int C = 0, G = 6, w = 15, force = 18, heat = 21, count = 22, stride = 32;
-    Real s[stride];
+  /// A pack of pairs: differences of particle and neighbours, then what is made of them.
+  struct Pairs {
+    P dx, dy, dz;  ///< h0
+    P ux, uy, uz;  ///< m/s
+    P r2;          ///< h0^2
+    P approach;    ///< -u.dx where that is positive
+    P V, c_sum;    ///< of the neighbour; of both
+    P w;           ///< V_j (dW/dr)/r, without normalisation
+    P thrust;      ///< w q, q the pair pressure of viscosity, over twice the mass
+  };
+  struct ExtraPairs {
+    Columns<Real> row;
+    P f4_w;  ///< (W/W(spacing))^4 w
+  };
+  /// The sums of one particle without their normalisation.
+  struct alignas(64) Raw {
+    static constexpr int C = 0, G = 6, heat = 15, flux = 16, repulsion = 32;
+    static constexpr std::size_t count = extended_ ? 48 : 32;
+    Real s[count];
+  };
+  /// What a thread works on.
+  struct Desk {
+    Rows<Real, extended> local;
+    std::vector<Pairs> pairs;
+    std::vector<ExtraPairs> extra;
+    std::vector<std::array<P, 4>> weights;
+    std::vector<Raw> raw = std::vector<Raw>(bucket_size + lanes<Real>);
   };
 
-  /// (dW/dr)/r without its normalisation, for the scene's smoothing length.
-  P gradient_factor(P r2, P inverse_r) const {
-    return Kernel::dw_over_q(P(r2 * inverse_r), inverse_r);
-  }
-  /// The mean of those of two smoothing lengths, normalised as for the scene's.
-  P mean_gradient_factor(P r2, P inverse_r, const Row& me, P inverse_h, P weight) const {
-    const P r = r2 * inverse_r, mine = P{} + me.inverse_h;
-    const P a = me.weight * Kernel::dw_over_q(P(r * mine), P(inverse_r * inverse(mine)));
-    const P b = weight * Kernel::dw_over_q(P(r * inverse_h), P(inverse_r * inverse(inverse_h)));
-    return real(0.5) * (a + b);
+  /// One particle: entries of its list are places of rows of eight.
+  void sum(std::size_t k, const BucketList& list, Desk& desk) const {
+    const std::uint16_t* places = &list.index[list.begin[k]];
+    const std::size_t packs = (list.begin[k + 1] - list.begin[k]) / lanes<Real>;
+    if (desk.pairs.size() < packs) {
+      desk.pairs.resize(2 * packs), desk.weights.resize(2 * packs);
+      if constexpr (extended) desk.extra.resize(2 * packs);
+    }
+    for (std::size_t p = 0; p < packs; ++p) separate(k, places + p * lanes<Real>, desk, p);
+    for (std::size_t p = 0; p < packs; ++p) weigh(k, desk, p);
+    add_gradients(k, desk, packs);
+    add_fluxes(places, desk, packs, desk.raw[k].s + Raw::flux);
   }
 
-  void sum(const Row* local, std::size_t k, const BucketList& list, Raw& out) const {
-    const Row& me = local[k];
-    const Real half_alpha = real(viscosity_.alpha / 2), beta = real(viscosity_.beta);
-    const Real two_m = real(2 * scaled_mass_);
-    P cxx{}, cyy{}, czz{}, cxy{}, cxz{}, cyz{};
-    P gxx{}, gxy{}, gxz{}, gyx{}, gyy{}, gyz{}, gzx{}, gzy{}, gzz{};
-    P wx_sum{}, wy_sum{}, wz_sum{}, fx{}, fy{}, fz{}, heat{};
-    for (std::uint32_t l = list.begin[k]; l < list.begin[k + 1]; l += lanes<Real>) {
-      const auto block = [&](int b) __attribute__((always_inline)) {
-        return load_transposed<Row::stride>(&local->x, &list.index[l], b);
-      };
-      const auto [x, y, z, V] = block(0);
-      const P dx = me.x - x, dy = me.y - y, dz = me.z - z;
-      const P r2 = dx * dx + (dy * dy + (dz * dz + real(1e-12)));  // 1/r stays finite at r = 0
-      const P inverse_r = inverse_sqrt(r2);
-      P factor, h_ij = P{} + real(1);
-      if constexpr (extended) {
-        if (extra_.evolving_h) {
-          const auto [r4, r5, inverse_h, weight] = block(6);
-          factor = mean_gradient_factor(r2, inverse_r, me, inverse_h, weight);
-          h_ij = real(2) * inverse(P(me.inverse_h + inverse_h));
-        } else {
-          factor = gradient_factor(r2, inverse_r);
-        }
-      } else {
-        factor = gradient_factor(r2, inverse_r);
+  /// Differences of position and velocity.
+  void separate(std::size_t k, const std::uint16_t* places, Desk& desk, std::size_t p) const {
+    const MotionRow<Real>& me = desk.local.motion[k];
+    const auto [row] = load_columns(&desk.local.motion[0].x, places);
+    const P dx = me.x - row[0], dy = me.y - row[1], dz = me.z - row[2];
+    const P ux = me.vx - row[4], uy = me.vy - row[5], uz = me.vz - row[6];
+    Pairs& pairs = desk.pairs[p];
+    pairs.dx = dx, pairs.dy = dy, pairs.dz = dz, pairs.ux = ux, pairs.uy = uy, pairs.uz = uz;
+    pairs.r2 = dx * dx + (dy * dy + (dz * dz + real(1e-12)));  // 1/r stays finite at r = 0
+    pairs.approach = positive_part(P(-(ux * dx + uy * dy + uz * dz)));
+    pairs.V = row[3], pairs.c_sum = me.c + row[7];
+    if constexpr (extended) desk.extra[p].row = load_columns(desk.local.extra[0].R, places);
+  }
+
+  /// Kernel gradient and viscosity.
+  void weigh(std::size_t k, Desk& desk, std::size_t p) const {
+    Pairs& pairs = desk.pairs[p];
+    const P r2 = pairs.r2, inverse_r = inverse_sqrt(r2), r = r2 * inverse_r;
+    P slope, h_ij = splat(real(1));
+    bool evolving = false;
+    if constexpr (extended) {
+      if (extra_.evolving_h) {
+        evolving = true;
+        const P mine = splat(desk.local.extra[k].inverse_h), other = desk.extra[p].row.c[6];
+        slope = real(0.5) * (desk.local.extra[k].weight * slope_of(r, inverse_r, mine) +
+                             desk.extra[p].row.c[7] * slope_of(r, inverse_r, other));
+        h_ij = real(2) * inverse(P(mine + other));
       }
-      const P w = V * factor, wx = w * dx, wy = w * dy, wz = w * dz;
+    }
+    if (!evolving) slope = Kernel::dw_over_q(r, inverse_r);
+    pairs.w = pairs.V * slope;
+
+    // Monaghan (1992) viscosity as a pair pressure q = rho_h (-alpha c mu + beta mu^2), with
+    // rho_h = 2m/(V_i + V_j) the harmonic mean density; only approaching pairs feel it.
+    const P V_sum = desk.local.motion[k].V + pairs.V;
+    P push = pairs.approach * inverse(P((r2 + real(Viscosity::epsilon)) * V_sum));
+    if constexpr (extended) push *= h_ij;
+    const P mu = push * V_sum;
+    pairs.thrust = push * (real(viscosity_.alpha / 2) * pairs.c_sum + real(viscosity_.beta) * mu) *
+                   pairs.w;
+    if constexpr (extended) {
+      const P f = Kernel::w(r) * real(inverse_w_spacing_);
+      desk.extra[p].f4_w = f * f * f * f * pairs.w;
+    }
+  }
+  /// (dW/dr)/r of a smoothing length h0/inverse_h, but for its weight.
+  P slope_of(P r, P inverse_r, P inverse_h) const {
+    return Kernel::dw_over_q(P(r * inverse_h), P(inverse_r * inverse(inverse_h)));
+  }
+
+  /// Sums over C and G, and the weights of the fluxes.
+  void add_gradients(std::size_t k, Desk& desk, std::size_t packs) const {
+    P cxx{}, cyy{}, czz{}, cxy{}, cxz{}, cyz{}, heat{};
+    P gxx{}, gxy{}, gxz{}, gyx{}, gyy{}, gyz{}, gzx{}, gzy{}, gzz{};
+    [[maybe_unused]] P repulsion[3] = {};
+    for (std::size_t p = 0; p < packs; ++p) {
+      const Pairs& pairs = desk.pairs[p];
+      const P dx = pairs.dx, dy = pairs.dy, dz = pairs.dz;
+      const P ux = pairs.ux, uy = pairs.uy, uz = pairs.uz;
+      const P wx = pairs.w * dx, wy = pairs.w * dy, wz = pairs.w * dz;
+      store_quads<Real>(wx, wy, wz, pairs.thrust, weights(desk, p));
       cxx -= wx * dx, cyy -= wy * dy, czz -= wz * dz;
       cxy -= wx * dy, cxz -= wx * dz, cyz -= wy * dz;
-
-      const auto [vx, vy, vz, c] = block(1);
-      const P ux = me.vx - vx, uy = me.vy - vy, uz = me.vz - vz;
       gxx -= ux * wx, gxy -= ux * wy, gxz -= ux * wz;
       gyx -= uy * wx, gyy -= uy * wy, gyz -= uy * wz;
       gzx -= uz * wx, gzy -= uz * wy, gzz -= uz * wz;
-
-      // Monaghan (1992) viscosity as a pair pressure q = rho_h (-alpha c mu + beta mu^2), with
-      // rho_h = 2m/(V_i + V_j) the harmonic mean density; only approaching pairs feel it.
-      const P approach = positive_part(P(-(ux * dx + uy * dy + uz * dz)));
-      const P V_sum = me.V + V, distance2 = r2 + real(Viscosity::epsilon);
-      P thrust = approach * inverse(P(distance2 * V_sum));
-      if constexpr (extended) thrust *= h_ij;
-      const P mu = thrust * V_sum;
-      const P q = two_m * thrust * (half_alpha * (me.c + c) + beta * mu);
-
-      const auto [t0, t1, t2, t3] = block(2);
-      const auto [t4, t5, t6, t7] = block(3);
-      const auto [t8, unused0, unused1, unused2] = block(4);
-      wx_sum += wx, wy_sum += wy, wz_sum += wz;
-      fx += (t0 - q) * wx + t1 * wy + t2 * wz;
-      fy += t3 * wx + (t4 - q) * wy + t5 * wz;
-      fz += t6 * wx + t7 * wy + (t8 - q) * wz;
-
       if constexpr (extended) {
-        heat -= q * w * approach;  // v_ij . x_ij is -approach
+        heat -= real(2 * scaled_mass_) * pairs.thrust * pairs.approach;  // v_ij . x_ij
         if (extra_.artificial_stress) {
-          const auto [r0, r1, r2_, r3] = block(5);
-          const auto [r4, r5, inverse_h, weight] = block(6);
-          const P f = Kernel::w(P(r2 * inverse_r)) * real(inverse_w_spacing_);
-          const P f4 = f * f * f * f, ax = f4 * wx, ay = f4 * wy, az = f4 * wz;
-          const P sxx = me.R[0] + r0, syy = me.R[1] + r1, szz = me.R[2] + r2_;
-          const P sxy = me.R[3] + r3, sxz = me.R[4] + r4, syz = me.R[5] + r5;
-          const P px = sxx * ax + sxy * ay + sxz * az, py = sxy * ax + syy * ay + syz * az,
-                  pz = sxz * ax + syz * ay + szz * az;
-          fx += px, fy += py, fz += pz;
-          heat -= px * ux + py * uy + pz * uz;
+          const Real* mine = desk.local.extra[k].R;
+          const ExtraPairs& extra = desk.extra[p];
+          const P* R = extra.row.c;
+          const P ax = extra.f4_w * dx, ay = extra.f4_w * dy, az = extra.f4_w * dz;
+          const P xy = mine[3] + R[3], xz = mine[4] + R[4], yz = mine[5] + R[5];
+          const P fx = (mine[0] + R[0]) * ax + xy * ay + xz * az,
+                  fy = xy * ax + (mine[1] + R[1]) * ay + yz * az,
+                  fz = xz * ax + yz * ay + (mine[2] + R[2]) * az;
+          repulsion[0] += fx, repulsion[1] += fy, repulsion[2] += fz;
+          heat -= fx * ux + fy * uy + fz * uz;
         }
       }
     }
-    const P sums[] = {cxx, cyy, czz, cxy, cxz,    cyz,    gxx,    gxy, gxz, gyx, gyy,
-                      gyz, gzx, gzy, gzz, wx_sum, wy_sum, wz_sum, fx,  fy,  fz,  heat};
-    lane_sums(sums, out.s);
-    // The particle's own flux is the same in every pair.
-    const Real *w = out.s + Raw::w, *T = me.T;
-    for (int a = 0; a < 3; ++a, T += 3)
-      out.s[Raw::force + a] += T[0] * w[0] + T[1] * w[1] + T[2] * w[2];
+    const P sums[] = {cxx, cyy, czz, cxy, cxz, cyz, gxx, gxy,
+                      gxz, gyx, gyy, gyz, gzx, gzy, gzz, heat};
+    lane_sums(sums, desk.raw[k].s);
+    if constexpr (extended) lane_sums(repulsion, desk.raw[k].s + Raw::repulsion);
+  }
+  static Real* weights(Desk& desk, std::size_t p) {
+    return reinterpret_cast<Real*>(&desk.weights[p]);
   }
 
-  /// Sums of lanes<Real> particles with their normalisation, in SI.
-  std::array<PackedSums, parts<Real>> scaled(const Raw* raw) const {
-    const double one = Kernel::normalisation, per_h = one / h_;
-    Pack<double> s[parts<Real>][Raw::stride];
-    for (int b = 0; 4 * b < Raw::count; ++b) {
-      const Columns<Real> four = load_transposed<Raw::stride>(raw->s, rising<Real>.data(), b);
-      for (std::size_t p = 0; p < parts<Real>; ++p) {
-        s[p][4 * b] = widened<Real>(four.c0, p), s[p][4 * b + 1] = widened<Real>(four.c1, p);
-        s[p][4 * b + 2] = widened<Real>(four.c2, p), s[p][4 * b + 3] = widened<Real>(four.c3, p);
-      }
+  /// Sums over the rows of stresses: gradient of the kernel times flux, thrust times position.
+  static void add_fluxes(const std::uint16_t* places, Desk& desk, std::size_t packs, Real* out) {
+    QuadSums<Real> sums;
+    for (std::size_t p = 0; p < packs; ++p)
+      sums.add(weights(desk, p), desk.local.stress[0].q[0], places + p * lanes<Real>);
+    sums.store(out);
+  }
+
+  /// Sums of lanes<Real> particles from the k-th on with their normalisation, in SI.
+  std::array<PackedSums, parts<Real>> scaled(const Desk& desk, std::size_t k) const {
+    P raw[Raw::count], own[16];
+    for (std::size_t b = 0; b < Raw::count / 8; ++b) {
+      const auto eight = load_columns(desk.raw[k].s + 8 * b, rising<Real, Raw::count>.data());
+      std::copy(eight.c, eight.c + 8, raw + 8 * b);
     }
+    for (std::size_t b = 0; b < 2; ++b) {
+      const auto eight =
+          load_columns(desk.local.stress[k].q[2 * b], rising<Real, 16>.data());
+      std::copy(eight.c, eight.c + 8, own + 8 * b);
+    }
+    const P *flux = raw + Raw::flux, *gradient = flux + 12;
     std::array<PackedSums, parts<Real>> out;
+    const double one = Kernel::normalisation, per_h = one / h_;
     for (std::size_t p = 0; p < parts<Real>; ++p) {
-      const Pack<double>*C = s[p] + Raw::C, *G = s[p] + Raw::G, *force = s[p] + Raw::force;
-      out[p].C = splat(one) * SymTensorOf<Pack<double>>{C[0], C[1], C[2], C[3], C[4], C[5]};
-      for (int k = 0; k < 9; ++k) out[p].G[k / 3][k % 3] = per_h * G[k];
-      for (int a = 0; a < 3; ++a) out[p].force[a] = per_h * force[a];
-      if constexpr (extended) out[p].heat = per_h / 2 * s[p][Raw::heat];
+      const auto get = [&](P x, double factor) { return factor * widened<Real>(x, p); };
+      const P* C = raw + Raw::C;
+      out[p].C = {get(C[0], one), get(C[1], one), get(C[2], one),
+                  get(C[3], one), get(C[4], one), get(C[5], one)};
+      for (int i = 0; i < 9; ++i) out[p].G[i / 3][i % 3] = get(raw[Raw::G + i], per_h);
+      for (int a = 0; a < 3; ++a) {
+        const P *theirs = flux + 4 * a, *mine = own + 4 * a;
+        // sum (T_i + T_j) . grad W, and x_j sum_thrust - x_i sum_thrust.
+        const P pull = (theirs[0] + theirs[1] + theirs[2]) + mine[0] * gradient[0] +
+                       mine[1] * gradient[1] + mine[2] * gradient[2];
+        const P push = theirs[3] - mine[3] * gradient[3];
+        P force = pull + real(2 * scaled_mass_) * push;
+        if constexpr (extended) force += raw[Raw::repulsion + a];
+        out[p].force[static_cast<std::size_t>(a)] = get(force, per_h);
+      }
+      if constexpr (extended) out[p].heat = get(raw[Raw::heat], per_h / 2);
     }
     return out;
   }

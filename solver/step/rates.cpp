@@ -78,8 +78,7 @@ void Solver::fill_rows(std::size_t b, double ahead,
     for (std::size_t i = first; i < last; ++i) {
       const auto [rho, c] = bucket[i - first];
       const Vec3 v = state_.v[i] + ahead * (rates_.dv_dt[i] + gravity(i, age));
-      sums.rows.set(i, state_.x[i], v, state_.mass / rho, c);
-      sums.rows.set_flux(i, momentum_flux(i));
+      sums.rows.set(i, state_.x[i], v, state_.mass / rho, c, momentum_flux(i));
       if constexpr (std::remove_cvref_t<decltype(sums)>::extended)
         sums.rows.set_extra(i, artificial_stress(i), smoothing_length(rho));
     }

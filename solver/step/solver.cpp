@@ -65,7 +65,8 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
       integrator_(
           make_by_token<Integrator>("scene.numerics.integrator", scene.numerics.integrator)),
       gravity_({state_.mass, state_.h, scene.numerics.opening_angle}),
-      lists_(2 * state_.h, 2 * state_.h * scene.numerics.list_skin, images_of(walls_)),
+      lists_(2 * state_.h, 2 * state_.h * scene.numerics.list_skin, images_of(walls_),
+             scene.numerics.precision == "double" ? row_units<double> : row_units<float>),
       tree_(state_.size()),
       pressure_(std::move(pressure)) {
   const std::size_t n = state_.size();

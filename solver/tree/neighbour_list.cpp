@@ -29,6 +29,7 @@ struct Builder {
   std::size_t loose_neighbours;
   double support, radius, far_radius;
   const std::vector<Image>& images;
+  std::size_t row_units;
   std::vector<float>& slack;
   Local local;
   std::vector<std::uint32_t> stack;
@@ -75,7 +76,7 @@ struct Builder {
     for (std::uint32_t i = first; i < last; ++i) list.rows.push_back(i);
     collect(box, bucket, list);
     if (!images.empty()) collect_images(box, list);
-    if (list.rows.size() >= 65535)
+    if (list.rows.size() * row_units > 65535)
       throw NumericalError(
           "collapse", -1, static_cast<long>(first),
           fmt::format("{} particles crowd around one bucket of {}", list.rows.size(), bucket_size));
@@ -119,6 +120,8 @@ struct Builder {
     const auto neighbours = static_cast<std::size_t>(end - found.data());
     while (static_cast<std::size_t>(end - found.data()) % NeighbourList::padding != 0)
       *end++ = static_cast<std::uint16_t>(list.rows.size());
+    for (std::uint16_t* entry = found.data(); entry < end; ++entry)
+      *entry = static_cast<std::uint16_t>(*entry * row_units);
     list.index.insert(list.index.end(), found.data(), end);
     return neighbours;
   }
@@ -160,6 +163,7 @@ void NeighbourList::build(const KdTree& tree, const std::vector<Vec3>& x) {
                     support_ + skin_,
                     support_ + sight * skin_,
                     images_,
+                    row_units_,
                     slack_,
                     {},
                     {},

@@ -11,8 +11,9 @@
 namespace eerie {
 
 /// Neighbours of one bucket: the union of all particles near it (its own first), and for each
-/// of its particles the list of positions in that union. Lists are padded to a multiple of
-/// `padding` with the union's length, the place of a dummy row that contributes nothing.
+/// of its particles the list of their places in that union, times NeighbourList::row_units().
+/// Lists are padded to a multiple of `padding` with the union's length, the place of a dummy row
+/// that contributes nothing.
 struct BucketList {
   std::vector<std::uint32_t> rows;                     ///< particles, by memory index
   std::vector<std::uint8_t> images;                    ///< with walls, of each row: see Image
@@ -31,16 +32,20 @@ class NeighbourList {
  public:
   static constexpr std::size_t padding = 16;
 
-  /// `support`: kernel support radius, m; `skin`: extra radius, m.
-  NeighbourList(double support, double skin, std::vector<Image> images = {})
-      : support_(support), skin_(skin), images_(std::move(images)) {}
+  /// `support`: kernel support radius, m; `skin`: extra radius, m; `row_units`: what entries of
+  /// the lists are multiplied by, so that they serve as offsets of rows of some length.
+  NeighbourList(double support, double skin, std::vector<Image> images = {},
+                std::size_t row_units = 1)
+      : support_(support), skin_(skin), row_units_(row_units), images_(std::move(images)) {}
+
+  std::size_t row_units() const { return row_units_; }
 
   /// For the next build; smoothing lengths that evolve need it.
   void set_support(double support) { support_ = support; }
   double support() const { return support_; }
 
   /// Builds all lists; `tree` must be fitted to `x`. Throws NumericalError when a bucket's
-  /// surroundings exceed 65,534 particles (a numerical collapse).
+  /// surroundings exceed 65,535 row units (a numerical collapse).
   void build(const KdTree& tree, const std::vector<Vec3>& x);
 
   /// Whether some pair may have come within the support unnoticed.
@@ -68,6 +73,7 @@ class NeighbourList {
   bool is_bulk(std::size_t i) const { return slack_[i] < 0; }
 
   double support_, skin_;
+  std::size_t row_units_;
   std::vector<Image> images_;
   std::vector<BucketList> buckets_;
   std::vector<Vec3> built_at_;

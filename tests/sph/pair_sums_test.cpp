@@ -92,22 +92,17 @@ std::vector<NeighbourSums> all_pairs(const Particles& p, const Viscosity& visc,
   return sums;
 }
 
-NeighbourList lists_of(const Particles& p, double skin = 0.1) {
-  NeighbourList lists(2 * h, 2 * h * skin);
-  lists.build(test::fitted_tree(p.x), p.x);
-  return lists;
-}
-
 /// The sums of the code under test.
 template <class Sums>
 std::vector<NeighbourSums> swept(const Particles& p, const Viscosity& visc,
-                                 const NeighbourList& lists, const ExtraTerms& extra = {}) {
+                                 double skin = 0.1, const ExtraTerms& extra = {}) {
+  NeighbourList lists(2 * h, 2 * h * skin, {}, row_units<typename Sums::Number>);
+  lists.build(test::fitted_tree(p.x), p.x);
   Sums sums(h, mass, visc, extra);
   sums.rows.resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (i % bucket_size == 0) sums.rows.set_origin(i / bucket_size, p.x[i], p.v[i]);
-    sums.rows.set(i, p.x[i], p.v[i], p.V[i], p.c[i]);
-    sums.rows.set_flux(i, p.T[i]);
+    sums.rows.set(i, p.x[i], p.v[i], p.V[i], p.c[i], p.T[i]);
     if constexpr (Sums::extended) sums.rows.set_extra(i, p.R[i], p.h_of[i]);
   }
   std::vector<NeighbourSums> found(p.size());
@@ -170,7 +165,7 @@ TYPED_TEST(PairSumsTwin, EqualsTheSumOverAllPairs) {
     const Particles p = random_particles(n);
     const auto exact = all_pairs<typename TypeParam::Kernel>(p, viscosity);
     for (const double skin : {0.0, 0.3}) {
-      const auto found = swept<Sums>(p, viscosity, lists_of(p, skin));
+      const auto found = swept<Sums>(p, viscosity, skin);
       if (n == 1) {
         EXPECT_EQ(found[0].force, Vec3{});
         continue;
@@ -191,7 +186,7 @@ TYPED_TEST(PairSumsTwin, ExtraTermsEqualTheSumOverAllPairs) {
     for (const bool stress : {false, true}) {
       const ExtraTerms extra{evolving_h, stress, spacing};
       const auto exact = all_pairs<Kernel>(p, viscosity, extra);
-      const Differences d = differences(swept<Sums>(p, viscosity, lists_of(p), extra), exact);
+      const Differences d = differences(swept<Sums>(p, viscosity, 0.1, extra), exact);
       // Fourth powers of the kernel make single terms larger than the sum: ten times the others.
       EXPECT_LT(std::max({d.C, d.G, d.force, d.heat}), 10 * tolerance<TypeParam>)
           << evolving_h << stress;
@@ -206,7 +201,7 @@ TYPED_TEST(PairSumsTwin, HeatIsTheEnergyThatViscosityTakes) {
   Particles p = random_particles(600);
   for (auto& T : p.T) T = {};
   double power = 0, heat = 0;
-  const auto sums = swept<Sums>(p, viscosity, lists_of(p), {false, true, spacing});
+  const auto sums = swept<Sums>(p, viscosity, 0.1, {false, true, spacing});
   for (std::size_t i = 0; i < p.size(); ++i) {
     power += p.V[i] * dot(p.v[i], sums[i].force);
     heat += p.V[i] * sums[i].heat;
@@ -218,7 +213,7 @@ TYPED_TEST(PairSumsTwin, HeatIsTheEnergyThatViscosityTakes) {
 TYPED_TEST(PairSumsTwin, TotalForceIsZero) {
   using Sums = PairSums<typename TypeParam::Real, typename TypeParam::Kernel>;
   const Particles p = random_particles(600);
-  const auto sums = swept<Sums>(p, viscosity, lists_of(p));
+  const auto sums = swept<Sums>(p, viscosity);
   Vec3 total;
   double magnitude = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -234,8 +229,7 @@ template <class Sums, class Correction>
 double relative_torque(Correction&& correction) {
   Particles p = random_particles(600);
   Random random(4, 0);
-  const NeighbourList lists = lists_of(p);
-  const auto first = swept<Sums>(p, viscosity, lists);
+  const auto first = swept<Sums>(p, viscosity);
   const SymTensor S = test::random_deviator(random);
   Vec3 centre;
   for (const Vec3& x : p.x) centre += x / static_cast<double>(p.size());
@@ -247,7 +241,7 @@ double relative_torque(Correction&& correction) {
   }
   Vec3 torque;
   double magnitude = 0;
-  const auto sums = swept<Sums>(p, viscosity, lists);
+  const auto sums = swept<Sums>(p, viscosity);
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vec3 single = p.V[i] * cross(p.x[i] - centre, sums[i].force);
     torque += single;
@@ -267,9 +261,8 @@ TYPED_TEST(PairSumsTwin, DualForceHasNoTotalTorque) {
 TYPED_TEST(PairSumsTwin, FloatFollowsDouble) {
   using Kernel = typename TypeParam::Kernel;
   const Particles p = random_particles(600);
-  const NeighbourList lists = lists_of(p);
-  const Differences d = differences(swept<PairSums<float, Kernel>>(p, viscosity, lists),
-                                    swept<PairSums<double, Kernel>>(p, viscosity, lists));
+  const Differences d = differences(swept<PairSums<float, Kernel>>(p, viscosity),
+                                    swept<PairSums<double, Kernel>>(p, viscosity));
   EXPECT_LT(std::max({d.C, d.G, d.force}), 1e-5);  // sixty terms of 24 bits
   EXPECT_GT(std::max({d.C, d.G, d.force}), 0);     // and it is single precision
 }
@@ -278,14 +271,14 @@ TEST(PairSums, SumsTurnWithTheBody) {
   // A rotated copy has rotated sums: no axis is preferred and none mistaken for another.
   using Sums = PairSums<double, CubicSpline>;
   Particles p = random_particles(300);
-  const auto before = swept<Sums>(p, viscosity, lists_of(p));
+  const auto before = swept<Sums>(p, viscosity);
   const Mat3 R = test::rotation(Vec3{1, 2, -2} / 3, 0.7);
   for (std::size_t i = 0; i < p.size(); ++i) {
     p.x[i] = R * p.x[i];
     p.v[i] = R * p.v[i];
     p.T[i] = R * p.T[i] * transpose(R);
   }
-  const auto after = swept<Sums>(p, viscosity, lists_of(p));
+  const auto after = swept<Sums>(p, viscosity);
   double largest = 0, difference = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     largest = std::max(largest, norm(before[i].force));
@@ -299,7 +292,7 @@ TEST(PairSums, ViscosityResistsApproachAlone) {
   for (auto& T : p.T) T = {};
   const auto power = [&](double rate) {
     for (std::size_t i = 0; i < p.size(); ++i) p.v[i] = rate * (p.x[i] - p.x[0]);
-    const auto sums = swept<PairSums<double, CubicSpline>>(p, viscosity, lists_of(p));
+    const auto sums = swept<PairSums<double, CubicSpline>>(p, viscosity);
     double total = 0;
     for (std::size_t i = 0; i < p.size(); ++i) total += p.V[i] * dot(p.v[i], sums[i].force);
     return total;
@@ -315,7 +308,7 @@ TEST(PairSums, ScatteredEjectaKeepTheAccuracyOfTheirBucket) {
   for (std::size_t i = 0; i < p.size(); ++i)
     p.x[i] += std::array<Vec3, 3>{{{0, 0, 0}, {5e3, 3e3, 0}, {-2e3, 9e3, 1e3}}}[i % 3];
   const auto exact = all_pairs<CubicSpline>(p, viscosity);
-  const auto found = swept<PairSums<float, CubicSpline>>(p, viscosity, lists_of(p));
+  const auto found = swept<PairSums<float, CubicSpline>>(p, viscosity);
   const Differences d = differences(found, exact);
   EXPECT_LT(std::max({d.C, d.G, d.force}), 1e-3);
 }

@@ -74,14 +74,13 @@ void expect_sums_over_images(const std::vector<Mirror>& mirrors) {
   const std::vector<Particle> particles = boxful(), all = with_copies(particles, mirrors);
   std::vector<Vec3> x;
   for (const Particle& p : particles) x.push_back(p.x);
-  NeighbourList lists(2 * h, 0.2 * h, images_of(mirrors));
+  NeighbourList lists(2 * h, 0.2 * h, images_of(mirrors), row_units<double>);
   lists.build(test::fitted_tree(x), x);
   PairSums<double, CubicSpline> sums(h, 1, {0, 0});
   sums.rows.resize(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (i % bucket_size == 0) sums.rows.set_origin(i / bucket_size, x[i], particles[i].v);
-    sums.rows.set(i, x[i], particles[i].v, 1, 1);
-    sums.rows.set_flux(i, particles[i].T);
+    sums.rows.set(i, x[i], particles[i].v, 1, 1, particles[i].T);
   }
   double scale = 0, G = 0, force = 0;
   sums.sweep(lists, x.size(), [&](std::size_t i, std::size_t count, const PackedSums& packed) {
