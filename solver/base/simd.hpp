@@ -37,6 +37,14 @@ template <class T>
 inline constexpr int lanes = static_cast<int>(vector_bytes / sizeof(T));
 
 template <class T>
+struct QuadOf {
+  typedef T type __attribute__((vector_size(4 * sizeof(T))));
+};
+/// Four numbers that belong together, such as a row of a matrix and one more.
+template <class T>
+using Quad = typename QuadOf<T>::type;
+
+template <class T>
 inline Pack<T> splat(T value) {
   return Pack<T>{} + value;
 }

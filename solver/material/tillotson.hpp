@@ -20,6 +20,7 @@ class Tillotson {
   /// p(rho, u) and c = sqrt(dp/drho + (p/rho^2) dp/du). rho in kg/m^3 > 0, u in J/kg.
   /// Negative pressures are returned as they are; damage cuts them elsewhere.
   EosPoint operator()(double rho, double u) const {
+    if (u == 0) return cold(rho);
     const bool expanded = rho < rho0_;
     const Slope cold = compressed(rho, u);
     if (!expanded || u <= k_.u_iv_J_per_kg) return point(cold, rho);
@@ -45,6 +46,14 @@ class Tillotson {
   }
 
  private:
+  /// The compressed branch at u = 0, where most of its terms vanish: impacts without heat.
+  EosPoint cold(double rho) const {
+    const double mu = rho / rho0_ - 1;
+    return point({(k_.A_Pa + k_.B_Pa * mu) * mu, (k_.A_Pa + 2 * k_.B_Pa * mu) / rho0_,
+                  (k_.a + k_.b) * rho},
+                 rho);
+  }
+
   struct Slope {
     double p, dp_drho, dp_du;
   };

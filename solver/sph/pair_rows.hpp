@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -23,11 +24,20 @@ struct alignas(8 * sizeof(Real)) MotionRow {
   Real c;           ///< sound speed, m/s
 };
 
+/// The rows of a momentum flux, Pa; the fourth numbers do not count.
+using FluxRows = std::array<Quad<double>, 3>;
+inline FluxRows rows_of(const Mat3& T) {
+  FluxRows rows;
+  for (int a = 0; a < 3; ++a)
+    rows[static_cast<std::size_t>(a)] = Quad<double>{T[a][0], T[a][1], T[a][2], 0};
+  return rows;
+}
+
 /// The momentum flux T = -p 1 + S L, Pa, each of its rows followed by a coordinate (h0), and ones:
 /// what pairs weigh with the gradient of the kernel and the thrust of viscosity (pair_sums.hpp).
 template <class Real>
 struct alignas(64) StressRow {
-  Real q[4][4];  ///< T_xx T_xy T_xz x, T_yx T_yy T_yz y, T_zx T_zy T_zz z, 1 1 1 1
+  Quad<Real> q[4] = {{}, {}, {}, {1, 1, 1, 1}};  ///< T_xx T_xy T_xz x, T_yx T_yy T_yz y, T_zx T_zy T_zz z, 1 1 1 1
 };
 
 /// For evolving smoothing lengths and artificial stress.
@@ -49,6 +59,9 @@ struct Rows {
     motion.resize(n), stress.resize(n);
     if constexpr (extended) extra.resize(n);
   }
+  void grow_to(std::size_t n) {
+    if (motion.size() < n) resize(n);
+  }
 };
 
 /// Rows of all particles in memory order, and the copy of one bucket's surroundings.
@@ -66,17 +79,16 @@ class PairRows {
   /// Takes the bucket's first particle as the origin of its rows. Before any set().
   void set_origin(std::size_t bucket, const Vec3& x, const Vec3& v) { origins_[bucket] = {x, v}; }
 
-  /// x in m, v and c in m/s, V in m^3, T in Pa.
-  void set(std::size_t i, const Vec3& x, const Vec3& v, double V, double c, const Mat3& T) {
+  /// x in m, v and c in m/s, V in m^3, rows of T in Pa.
+  void set(std::size_t i, const Vec3& x, const Vec3& v, double V, double c, const FluxRows& T) {
     const Origin& o = origins_[i / bucket_size];
     const Vec3 d = (x - o.x) * per_h0_, u = v - o.v;
     rows_.motion[i] = {real(d.x), real(d.y), real(d.z), real(V * per_h0_cubed_),
                        real(u.x), real(u.y), real(u.z), real(c)};
     for (int a = 0; a < 3; ++a) {
-      Real* q = rows_.stress[i].q[a];
-      q[0] = real(T[a][0]), q[1] = real(T[a][1]), q[2] = real(T[a][2]), q[3] = real(d[a]);
+      rows_.stress[i].q[a] = __builtin_convertvector(T[static_cast<std::size_t>(a)], Quad<Real>);
+      rows_.stress[i].q[a][3] = real(d[a]);
     }
-    for (Real& one : rows_.stress[i].q[3]) one = 1;
   }
 
   /// R in Pa; h in m.
@@ -91,26 +103,25 @@ class PairRows {
   void gather(std::size_t bucket, const NeighbourList& lists, Rows<Real, extended>& local) const {
     const BucketList& list = lists[bucket];
     const std::size_t dummy = list.rows.size();
-    local.resize(std::max(dummy + 1, bucket_size));
+    local.grow_to(std::max(dummy + 1, bucket_size));
     const Origin& home = origins_[bucket];
     std::size_t from = bucket;
-    Vec3 dx, dv;
+    Shift shift;
     for (std::size_t k = 0; k < list.rows.size(); ++k) {
       const std::uint32_t j = list.rows[k];
       if (j / bucket_size != from) {
         from = j / bucket_size;
-        dx = (origins_[from].x - home.x) * per_h0_, dv = origins_[from].v - home.v;
+        shift = Shift((origins_[from].x - home.x) * per_h0_, origins_[from].v - home.v);
       }
-      local.motion[k] = rows_.motion[j], local.stress[k] = rows_.stress[j];
+      local.motion[k] = shift(rows_.motion[j]), local.stress[k] = shift(rows_.stress[j]);
       if constexpr (extended) local.extra[k] = rows_.extra[j];
-      shift(local, k, dx, dv);
     }
     for (std::size_t k = 0; k < list.images.size(); ++k)
       if (list.images[k] > 0)
         mirror(list.rows[k], lists.images()[list.images[k] - 1u], home, local, k);
     // Far away, at rest, without volume: every pair with it contributes exactly nothing.
     local.motion[dummy] = {Real(1e9), 0, 0, 0, 0, 0, 0, 0};
-    local.stress[dummy] = {};
+    for (Quad<Real>& q : local.stress[dummy].q) q = Quad<Real>{};
     if constexpr (extended) local.extra[dummy] = {{}, 1, 0};
   }
 
@@ -119,13 +130,23 @@ class PairRows {
     Vec3 x, v;
   };
 
-  static void shift(Rows<Real, extended>& local, std::size_t k, const Vec3& dx, const Vec3& dv) {
-    MotionRow<Real>& m = local.motion[k];
-    m.x += real(dx.x), m.y += real(dx.y), m.z += real(dx.z);
-    m.vx += real(dv.x), m.vy += real(dv.y), m.vz += real(dv.z);
-    StressRow<Real>& s = local.stress[k];
-    s.q[0][3] = m.x, s.q[1][3] = m.y, s.q[2][3] = m.z;
-  }
+  /// From one bucket's origin to another's.
+  struct Shift {
+    Quad<Real> x{}, v{}, flux[3] = {};
+    Shift() = default;
+    Shift(const Vec3& dx, const Vec3& dv)
+        : x{real(dx.x), real(dx.y), real(dx.z), 0}, v{real(dv.x), real(dv.y), real(dv.z), 0} {
+      for (int a = 0; a < 3; ++a) flux[a][3] = x[a];
+    }
+    MotionRow<Real> operator()(MotionRow<Real> row) const {
+      return {row.x + x[0],  row.y + x[1],  row.z + x[2],  row.V,
+              row.vx + v[0], row.vy + v[1], row.vz + v[2], row.c};
+    }
+    StressRow<Real> operator()(StressRow<Real> row) const {
+      for (int a = 0; a < 3; ++a) row.q[a] += flux[a];
+      return row;
+    }
+  };
 
   /// Row k becomes particle j as seen in a mirror.
   void mirror(std::uint32_t j, const Image& image, const Origin& home,
@@ -138,9 +159,9 @@ class PairRows {
     local.motion[k] = {real(x.x), real(x.y), real(x.z), r.V, real(v.x), real(v.y), real(v.z), r.c};
     const Vec3& st = image.stress_sign;
     for (int a = 0; a < 3; ++a) {
-      Real* q = local.stress[k].q[a];
-      for (int b = 0; b < 3; ++b) q[b] = rows_.stress[j].q[a][b] * real(st[a] * st[b]);
-      q[3] = real(x[a]);
+      const Quad<Real> signs = {real(st[a] * st.x), real(st[a] * st.y), real(st[a] * st.z), 0};
+      local.stress[k].q[a] = rows_.stress[j].q[a] * signs;
+      local.stress[k].q[a][3] = real(x[a]);
     }
     if constexpr (extended) {
       Real* R = local.extra[k].R;

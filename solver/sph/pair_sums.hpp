@@ -233,7 +233,7 @@ class PairSums {
   static void add_fluxes(const std::uint16_t* places, Desk& desk, std::size_t packs, Real* out) {
     QuadSums<Real> sums;
     for (std::size_t p = 0; p < packs; ++p)
-      sums.add(weights(desk, p), desk.local.stress[0].q[0], places + p * lanes<Real>);
+      sums.add(weights(desk, p), &desk.local.stress[0].q[0][0], places + p * lanes<Real>);
     sums.store(out);
   }
 
@@ -246,7 +246,7 @@ class PairSums {
     }
     for (std::size_t b = 0; b < 2; ++b) {
       const auto eight =
-          load_columns(desk.local.stress[k].q[2 * b], rising<Real, 16>.data());
+          load_columns(&desk.local.stress[k].q[2 * b][0], rising<Real, 16>.data());
       std::copy(eight.c, eight.c + 8, own + 8 * b);
     }
     const P *flux = raw + Raw::flux, *gradient = flux + 12;

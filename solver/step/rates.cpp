@@ -62,11 +62,19 @@ void Solver::apply_laws(std::size_t b, double ahead, std::array<Predicted, bucke
 
 /// The momentum flux -p 1 + S L, with the L of the last sums: it follows the arrangement of the
 /// neighbours, which hardly moves in a step.
-Mat3 Solver::momentum_flux(std::size_t i) const {
-  Mat3 T = to_matrix(S_predicted_[i]);
-  if (gradient_ == Gradient::corrected) T = T * to_matrix(rates_.correction[i]);
-  for (int k = 0; k < 3; ++k) T[k][k] -= pressure_[i];
-  return T;
+FluxRows Solver::momentum_flux(std::size_t i) const {
+  const SymTensor& S = S_predicted_[i];
+  const double p = pressure_[i];
+  Quad<double> x{1, 0, 0, 0}, y{0, 1, 0, 0}, z{0, 0, 1, 0};  // rows of L
+  const FluxRows pressure = {p * x, p * y, p * z};
+  if (gradient_ == Gradient::corrected) {
+    const SymTensor& L = rates_.correction[i];
+    x = Quad<double>{L.xx, L.xy, L.xz, 0}, y = Quad<double>{L.xy, L.yy, L.yz, 0},
+    z = Quad<double>{L.xz, L.yz, L.zz, 0};
+  }
+  return {S.xx * x + S.xy * y + S.xz * z - pressure[0],
+          S.xy * x + S.yy * y + S.yz * z - pressure[1],
+          S.xz * x + S.yz * y + S.zz * z - pressure[2]};
 }
 
 void Solver::fill_rows(std::size_t b, double ahead,
@@ -97,8 +105,11 @@ SymTensor Solver::artificial_stress(std::size_t i) const {
 
 /// Rates of the energy and its parts, from the sums of particle i.
 void Solver::set_heating(std::size_t i, double ahead, const NeighbourSums& s) {
-  const Mat3 T = momentum_flux(i);
-  const double rho = predicted_density(i, ahead), strain_power = contract(T, s.G);
+  const FluxRows T = momentum_flux(i);
+  double strain_power = 0;
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) strain_power += T[static_cast<std::size_t>(a)][b] * s.G[a][b];
+  const double rho = predicted_density(i, ahead);
   rates_.viscous_heating[i] = s.heat / rho;
   rates_.shear_power[i] = (strain_power + pressure_[i] * trace(s.G)) / rho;
   rates_.du_dt[i] = (strain_power + s.heat) / rho;

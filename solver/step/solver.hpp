@@ -100,7 +100,7 @@ class Solver {
   double smoothing_length(double rho) const;
   double largest_support() const;
   Condition condition(std::size_t i, double ahead) const;
-  Mat3 momentum_flux(std::size_t i) const;
+  FluxRows momentum_flux(std::size_t i) const;
   SymTensor artificial_stress(std::size_t i) const;
   double gravity_age() const { return dt_ * static_cast<double>(since_gravity_); }
   Vec3 gravity(std::size_t i, double age) const { return rates_.g[i] + age * rates_.dg_dt[i]; }

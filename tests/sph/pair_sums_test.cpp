@@ -102,7 +102,7 @@ std::vector<NeighbourSums> swept(const Particles& p, const Viscosity& visc,
   sums.rows.resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (i % bucket_size == 0) sums.rows.set_origin(i / bucket_size, p.x[i], p.v[i]);
-    sums.rows.set(i, p.x[i], p.v[i], p.V[i], p.c[i], p.T[i]);
+    sums.rows.set(i, p.x[i], p.v[i], p.V[i], p.c[i], rows_of(p.T[i]));
     if constexpr (Sums::extended) sums.rows.set_extra(i, p.R[i], p.h_of[i]);
   }
   std::vector<NeighbourSums> found(p.size());

@@ -80,7 +80,7 @@ void expect_sums_over_images(const std::vector<Mirror>& mirrors) {
   sums.rows.resize(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (i % bucket_size == 0) sums.rows.set_origin(i / bucket_size, x[i], particles[i].v);
-    sums.rows.set(i, x[i], particles[i].v, 1, 1, particles[i].T);
+    sums.rows.set(i, x[i], particles[i].v, 1, 1, rows_of(particles[i].T));
   }
   double scale = 0, G = 0, force = 0;
   sums.sweep(lists, x.size(), [&](std::size_t i, std::size_t count, const PackedSums& packed) {
