@@ -20,7 +20,7 @@ inline std::size_t bucket_count(std::size_t particles) {
 /// only (ranges are halved at multiples of the bucket size, then inside buckets down to
 /// `leaf_size`), so after a restart the same memory order gives the same tree.
 struct KdTree {
-  static constexpr std::uint32_t leaf_size = 16;
+  static constexpr std::uint32_t leaf_size = 8;
   static constexpr std::uint32_t none = 0xffffffff;
 
   struct Node {
