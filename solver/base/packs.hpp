@@ -40,12 +40,16 @@ inline SymTensorOf<DoublePack> gathered_tensors(std::size_t count, const SymTens
           of(&SymTensor::xy), of(&SymTensor::xz), of(&SymTensor::yz)};
 }
 
-inline void scatter_tensors(std::size_t count, const SymTensorOf<DoublePack>& packs, SymTensor* s) {
+template <class T>
+inline void scatter_tensors(std::size_t count, const SymTensorOf<DoublePack>& packs,
+                            SymTensorOf<T>* s) {
+  using Tensor = SymTensorOf<T>;
   const auto put = [&](auto component, DoublePack pack) __attribute__((always_inline)) {
-    scatter(count, pack, [&](std::size_t l, double value) { s[l].*component = value; });
+    scatter(count, pack,
+            [&](std::size_t l, double value) { s[l].*component = static_cast<T>(value); });
   };
-  put(&SymTensor::xx, packs.xx), put(&SymTensor::yy, packs.yy), put(&SymTensor::zz, packs.zz);
-  put(&SymTensor::xy, packs.xy), put(&SymTensor::xz, packs.xz), put(&SymTensor::yz, packs.yz);
+  put(&Tensor::xx, packs.xx), put(&Tensor::yy, packs.yy), put(&Tensor::zz, packs.zz);
+  put(&Tensor::xy, packs.xy), put(&Tensor::xz, packs.xz), put(&Tensor::yz, packs.yz);
 }
 
 }  // namespace eerie

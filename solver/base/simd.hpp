@@ -151,7 +151,8 @@ inline Columns<T> load_columns(const T* rows, const std::uint16_t* place) {
 /// Writes numbers a, b, c, d of lane l to out + quad_place<T>(l); `out` has room for four packs.
 template <class T>
 inline void store_quads(Pack<T> a, Pack<T> b, Pack<T> c, Pack<T> d, T* out) {
-  for (int l = 0; l < lanes<T>; ++l, out += 4) out[0] = a[l], out[1] = b[l], out[2] = c[l], out[3] = d[l];
+  for (int l = 0; l < lanes<T>; ++l, out += 4)
+    out[0] = a[l], out[1] = b[l], out[2] = c[l], out[3] = d[l];
 }
 template <class T>
 constexpr int quad_place(int lane) {
@@ -163,8 +164,8 @@ constexpr int quad_place(int lane) {
 }
 
 /// A sum of rows of sixteen numbers, four quads, each times a quad of weights:
-/// s[4 a + k] = sum over rows of row[4 a + k] weight[k]. In two or four parts, so that additions need
-/// not wait for one another.
+/// s[4 a + k] = sum over rows of row[4 a + k] weight[k]. In two or four parts, so that additions
+/// need not wait for one another.
 template <class T>
 struct QuadSums {
   static constexpr int packs = 16 / lanes<T>, chains = packs == 1 ? 4 : packs == 2 ? 2 : 1;

@@ -38,6 +38,14 @@ struct SymTensorOf {
 };
 using SymTensor = SymTensorOf<double>;
 
+/// In single precision, for arrays of what is no more exact than that.
+using SymTensorf = SymTensorOf<float>;
+constexpr SymTensorf to_single(const SymTensor& s) {
+  return {static_cast<float>(s.xx), static_cast<float>(s.yy), static_cast<float>(s.zz),
+          static_cast<float>(s.xy), static_cast<float>(s.xz), static_cast<float>(s.yz)};
+}
+constexpr SymTensor to_double(const SymTensorf& s) { return {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz}; }
+
 template <class T>
 constexpr SymTensorOf<T> operator+(SymTensorOf<T> a, const SymTensorOf<T>& b) {
   return a += b;

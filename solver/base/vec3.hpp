@@ -16,6 +16,17 @@ struct Vec3 {
   constexpr bool operator==(const Vec3&) const = default;
 };
 
+/// In single precision, for arrays of what is no more exact than that.
+struct Vec3f {
+  float x = 0, y = 0, z = 0;
+
+  constexpr Vec3f() = default;
+  constexpr explicit Vec3f(const Vec3& v)
+      : x(static_cast<float>(v.x)), y(static_cast<float>(v.y)), z(static_cast<float>(v.z)) {}
+  constexpr operator Vec3() const { return {x, y, z}; }
+  constexpr bool operator==(const Vec3f&) const = default;
+};
+
 constexpr Vec3 operator+(Vec3 a, const Vec3& b) { return a += b; }
 constexpr Vec3 operator-(Vec3 a, const Vec3& b) { return a -= b; }
 constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }

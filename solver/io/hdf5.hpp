@@ -91,6 +91,19 @@ struct Layout<double> {
   static constexpr hsize_t columns = 1;
 };
 template <>
+struct Layout<float> {
+  static hid_t type() { return H5T_NATIVE_FLOAT; }
+  static constexpr hsize_t columns = 1;
+};
+template <>
+struct Layout<Vec3f> : Layout<float> {
+  static constexpr hsize_t columns = 3;
+};
+template <>
+struct Layout<SymTensorf> : Layout<float> {
+  static constexpr hsize_t columns = 6;
+};
+template <>
 struct Layout<Vec3> : Layout<double> {
   static constexpr hsize_t columns = 3;
 };
@@ -99,6 +112,7 @@ struct Layout<SymTensor> : Layout<double> {
   static constexpr hsize_t columns = 6;  ///< xx, yy, zz, xy, xz, yz
 };
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(SymTensor) == 6 * sizeof(double));
+static_assert(sizeof(Vec3f) == 3 * sizeof(float) && sizeof(SymTensorf) == 6 * sizeof(float));
 
 /// The bytes of a new file that `fill` was called on. Its metadata carry checksums (format of
 /// HDF5 1.10) and no time stamps: equal content gives equal bytes.

@@ -20,6 +20,8 @@ bool finite(const SymTensor& s) {
   return finite(s.xx) && finite(s.yy) && finite(s.zz) && finite(s.xy) && finite(s.xz) &&
          finite(s.yz);
 }
+bool finite(const Vec3f& v) { return finite(Vec3(v)); }
+bool finite(const SymTensorf& s) { return finite(to_double(s)); }
 bool finite(std::uint8_t) { return true; }
 bool finite(std::uint32_t) { return true; }
 

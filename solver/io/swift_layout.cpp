@@ -107,6 +107,8 @@ template void write_field(hid_t, const char*, std::span<const std::int64_t>);
 template void write_field(hid_t, const char*, std::span<const double>);
 template void write_field(hid_t, const char*, std::span<const Vec3>);
 template void write_field(hid_t, const char*, std::span<const SymTensor>);
+template void write_field(hid_t, const char*, std::span<const Vec3f>);
+template void write_field(hid_t, const char*, std::span<const SymTensorf>);
 
 SnapshotBox snapshot_box(const State& state) {
   Vec3 low = state.x.front(), high = low;

@@ -26,8 +26,8 @@ class DruckerPrager {
 
   double yield_stress(double p, const Condition& = {}) const { return cohesion_ + mu_d_ * p; }
 
-  SymTensor yielded(const SymTensor& S, double p, const Condition& = {}) const {
-    return radial_return(S, yield_stress(p));
+  double yield_factor(double J2, double p, const Condition& = {}) const {
+    return radial_factor(J2, yield_stress(p));
   }
 
  private:

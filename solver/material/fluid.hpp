@@ -14,7 +14,7 @@ class Fluid {
   explicit Fluid(const Scene::Material&) {}
   double pressure(double p_eos, const Condition&) const { return damaged_pressure(p_eos, 1); }
   double yield_stress(double, const Condition& = {}) const { return 0; }
-  SymTensor yielded(const SymTensor&, double, const Condition& = {}) const { return {}; }
+  double yield_factor(double, double, const Condition& = {}) const { return 0; }
 };
 
 }  // namespace eerie

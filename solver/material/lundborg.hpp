@@ -37,8 +37,8 @@ class Lundborg {
     return (1 - state.damage) * intact + state.damage * rubble;
   }
 
-  SymTensor yielded(const SymTensor& S, double p, const Condition& state) const {
-    return radial_return(S, yield_stress(p, state));
+  double yield_factor(double J2, double p, const Condition& state) const {
+    return radial_factor(J2, yield_stress(p, state));
   }
 
  private:

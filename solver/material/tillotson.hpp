@@ -49,9 +49,9 @@ class Tillotson {
   /// The compressed branch at u = 0, where most of its terms vanish: impacts without heat.
   EosPoint cold(double rho) const {
     const double mu = rho / rho0_ - 1;
-    return point({(k_.A_Pa + k_.B_Pa * mu) * mu, (k_.A_Pa + 2 * k_.B_Pa * mu) / rho0_,
-                  (k_.a + k_.b) * rho},
-                 rho);
+    return point(
+        {(k_.A_Pa + k_.B_Pa * mu) * mu, (k_.A_Pa + 2 * k_.B_Pa * mu) / rho0_, (k_.a + k_.b) * rho},
+        rho);
   }
 
   struct Slope {

@@ -6,10 +6,16 @@
 
 namespace eerie {
 
-/// S min(1, Y/sqrt(J2)), J2 = S:S/2: the deviator returns radially to the yield surface.
-inline SymTensor radial_return(const SymTensor& S, double Y) {
-  const double J2 = second_invariant(S);
-  return J2 > Y * Y ? S * (Y / std::sqrt(J2)) : S;
+// Every rheology returns the deviator S radially to its yield surface: S becomes
+// yield_factor(J2, p, condition) S, J2 = S:S/2.
+
+/// min(1, Y/sqrt(J2)).
+inline double radial_factor(double J2, double Y) { return J2 > Y * Y ? Y / std::sqrt(J2) : 1; }
+
+template <class Rheology, class... Condition>
+SymTensor yielded(const Rheology& rheology, const SymTensor& S, double p,
+                  const Condition&... condition) {
+  return rheology.yield_factor(second_invariant(S), p, condition...) * S;
 }
 
 }  // namespace eerie

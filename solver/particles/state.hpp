@@ -47,9 +47,9 @@ struct Rates {
   std::vector<Vec3> dv_dt;
   std::vector<double> drho_dt;
   std::vector<SymTensor> dS_dt;
-  std::vector<SymTensor> correction;    ///< L, inverse moment matrix of the corrected gradient
-  std::vector<Vec3> g;                  ///< gravity when it was last evaluated, m/s^2
-  std::vector<Vec3> dg_dt;              ///< its change since the evaluation before, m/s^3
+  std::vector<SymTensorf> correction;   ///< L, inverse moment matrix of the corrected gradient
+  std::vector<Vec3f> g;                 ///< gravity when it was last evaluated, m/s^2
+  std::vector<Vec3f> dg_dt;             ///< its change since the evaluation before, m/s^3
   std::vector<double> du_dt;            ///< W/kg; with an energy equation
   std::vector<double> viscous_heating;  ///< the part of du_dt that viscosity makes, W/kg
   std::vector<double> shear_power;      ///< the part of du_dt of the deviatoric stress, W/kg

@@ -37,7 +37,8 @@ inline FluxRows rows_of(const Mat3& T) {
 /// what pairs weigh with the gradient of the kernel and the thrust of viscosity (pair_sums.hpp).
 template <class Real>
 struct alignas(64) StressRow {
-  Quad<Real> q[4] = {{}, {}, {}, {1, 1, 1, 1}};  ///< T_xx T_xy T_xz x, T_yx T_yy T_yz y, T_zx T_zy T_zz z, 1 1 1 1
+  Quad<Real> q[4] = {
+      {}, {}, {}, {1, 1, 1, 1}};  ///< T_xx T_xy T_xz x, T_yx T_yy T_yz y, T_zx T_zy T_zz z, 1 1 1 1
 };
 
 /// For evolving smoothing lengths and artificial stress.
@@ -149,8 +150,8 @@ class PairRows {
   };
 
   /// Row k becomes particle j as seen in a mirror.
-  void mirror(std::uint32_t j, const Image& image, const Origin& home,
-              Rows<Real, extended>& local, std::size_t k) const {
+  void mirror(std::uint32_t j, const Image& image, const Origin& home, Rows<Real, extended>& local,
+              std::size_t k) const {
     const Origin& o = origins_[j / bucket_size];
     const MotionRow<Real>& r = rows_.motion[j];
     const Vec3 at = o.x + h0_ * Vec3{double(r.x), double(r.y), double(r.z)};

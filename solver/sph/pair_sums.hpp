@@ -52,8 +52,8 @@ struct ExtraTerms {
 ///
 /// A visit has four short loops over the pairs of a particle, a pack of them at a time, with their
 /// numbers in memory in between: a long one would wait for the latency of square roots and
-/// divisions. Geometry and viscosity need the numbers of several neighbours side by side, which takes
-/// a transposition; fluxes are only weighed and added, row by row, and need none.
+/// divisions. Geometry and viscosity need the numbers of several neighbours side by side, which
+/// takes a transposition; fluxes are only weighed and added, row by row, and need none.
 template <class Real, class Kernel, bool extended_ = false>
 class PairSums {
  public:
@@ -176,8 +176,8 @@ class PairSums {
     P push = pairs.approach * inverse(P((r2 + real(Viscosity::epsilon)) * V_sum));
     if constexpr (extended) push *= h_ij;
     const P mu = push * V_sum;
-    pairs.thrust = push * (real(viscosity_.alpha / 2) * pairs.c_sum + real(viscosity_.beta) * mu) *
-                   pairs.w;
+    pairs.thrust =
+        push * (real(viscosity_.alpha / 2) * pairs.c_sum + real(viscosity_.beta) * mu) * pairs.w;
     if constexpr (extended) {
       const P f = Kernel::w(r) * real(inverse_w_spacing_);
       desk.extra[p].f4_w = f * f * f * f * pairs.w;
@@ -245,8 +245,7 @@ class PairSums {
       std::copy(eight.c, eight.c + 8, raw + 8 * b);
     }
     for (std::size_t b = 0; b < 2; ++b) {
-      const auto eight =
-          load_columns(&desk.local.stress[k].q[2 * b][0], rising<Real, 16>.data());
+      const auto eight = load_columns(&desk.local.stress[k].q[2 * b][0], rising<Real, 16>.data());
       std::copy(eight.c, eight.c + 8, own + 8 * b);
     }
     const P *flux = raw + Raw::flux, *gradient = flux + 12;

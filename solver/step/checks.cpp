@@ -50,7 +50,7 @@ void Solver::check_positions() {
     if (!(norm2(state_.x[i]) < reach * reach)) lost = std::min(lost, i);
     for (const Mirror& wall : walls_)
       if ((state_.x[i][wall.axis] < wall.at) == wall.low) through = std::min(through, i);
-    alone += rates_.correction[i] == SymTensor{1, 1, 1, 0, 0, 0};
+    alone += rates_.correction[i] == SymTensorf{1, 1, 1, 0, 0, 0};
   }
   uncorrected_ = alone;
   check(lost, "lost-particle",

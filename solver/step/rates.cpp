@@ -53,22 +53,29 @@ void Solver::apply_laws(std::size_t b, double ahead, std::array<Predicted, bucke
           const EosPoint point = eos(rho, now.u);
           const double p = rheology.pressure(point.p, now);
           pressure_[i] = p;
-          S_predicted_[i] = rheology.yielded(state_.S[i] + ahead * rates_.dS_dt[i], p, now);
+          const SymTensor trial = state_.S[i] + ahead * rates_.dS_dt[i];
+          yield_factor_[i] =
+              static_cast<float>(rheology.yield_factor(second_invariant(trial), p, now));
           out[i - first] = {rho, point.c};
         }
       },
       material_.eos, material_.rheology);
 }
 
+/// The yielded stress of the predicted state, for as long as its rates are still the old ones.
+SymTensor Solver::predicted_stress(std::size_t i, double ahead) const {
+  return double{yield_factor_[i]} * (state_.S[i] + ahead * rates_.dS_dt[i]);
+}
+
 /// The momentum flux -p 1 + S L, with the L of the last sums: it follows the arrangement of the
 /// neighbours, which hardly moves in a step.
-FluxRows Solver::momentum_flux(std::size_t i) const {
-  const SymTensor& S = S_predicted_[i];
+FluxRows Solver::momentum_flux(std::size_t i, double ahead) const {
+  const SymTensor S = predicted_stress(i, ahead);
   const double p = pressure_[i];
   Quad<double> x{1, 0, 0, 0}, y{0, 1, 0, 0}, z{0, 0, 1, 0};  // rows of L
   const FluxRows pressure = {p * x, p * y, p * z};
   if (gradient_ == Gradient::corrected) {
-    const SymTensor& L = rates_.correction[i];
+    const SymTensor L = to_double(rates_.correction[i]);
     x = Quad<double>{L.xx, L.xy, L.xz, 0}, y = Quad<double>{L.xy, L.yy, L.yz, 0},
     z = Quad<double>{L.xz, L.yz, L.zz, 0};
   }
@@ -86,26 +93,26 @@ void Solver::fill_rows(std::size_t b, double ahead,
     for (std::size_t i = first; i < last; ++i) {
       const auto [rho, c] = bucket[i - first];
       const Vec3 v = state_.v[i] + ahead * (rates_.dv_dt[i] + gravity(i, age));
-      sums.rows.set(i, state_.x[i], v, state_.mass / rho, c, momentum_flux(i));
+      sums.rows.set(i, state_.x[i], v, state_.mass / rho, c, momentum_flux(i, ahead));
       if constexpr (std::remove_cvref_t<decltype(sums)>::extended)
-        sums.rows.set_extra(i, artificial_stress(i), smoothing_length(rho));
+        sums.rows.set_extra(i, artificial_stress(i, ahead), smoothing_length(rho));
     }
   });
 }
 
 /// R = -eps (tensile part of the stress): pushes particles apart that tension would clump
 /// (Gray, Monaghan & Swift 2001, sec. 4).
-SymTensor Solver::artificial_stress(std::size_t i) const {
+SymTensor Solver::artificial_stress(std::size_t i, double ahead) const {
   const double eps = scene_.numerics.artificial_stress;
   if (eps == 0) return {};
-  SymTensor stress = S_predicted_[i];
+  SymTensor stress = predicted_stress(i, ahead);
   stress.xx -= pressure_[i], stress.yy -= pressure_[i], stress.zz -= pressure_[i];
   return -eps * positive_part(stress);
 }
 
 /// Rates of the energy and its parts, from the sums of particle i.
 void Solver::set_heating(std::size_t i, double ahead, const NeighbourSums& s) {
-  const FluxRows T = momentum_flux(i);
+  const FluxRows T = momentum_flux(i, ahead);
   double strain_power = 0;
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) strain_power += T[static_cast<std::size_t>(a)][b] * s.G[a][b];
@@ -120,7 +127,10 @@ void Solver::set_heating(std::size_t i, double ahead, const NeighbourSums& s) {
 bool Solver::set_rates(std::size_t i, std::size_t count, double ahead, const PackedSums& s) {
   using P = DoublePack;
   const P rho = gathered(count, [&](std::size_t l) { return predicted_density(i + l, ahead); });
-  const SymTensorOf<P> S = gathered_tensors(count, &S_predicted_[i]);
+  const SymTensorOf<P> trial = gathered_tensors(count, &state_.S[i]) +
+                               splat(ahead) * gathered_tensors(count, &rates_.dS_dt[i]);
+  const P factor = gathered(count, [&](std::size_t l) { return double{yield_factor_[i + l]}; });
+  const SymTensorOf<P> S = factor * trial;
   SymTensorOf<P> L{P{} + 1, P{} + 1, P{} + 1, P{}, P{}, P{}};
   bool corrected = true;
   if (gradient_ != Gradient::plain) {
@@ -174,7 +184,7 @@ void Solver::grow_damage(double duration) {
   for (std::size_t i = 0; i < state_.size(); ++i) {
     const double intact = 1 - cubed(state_.damage_cbrt[i]);
     if (intact <= 0) continue;
-    const double tension = largest_principal(S_predicted_[i]) - pressure_[i];
+    const double tension = largest_principal(state_.S[i]) - pressure_[i];
     if (tension <= 0) continue;
     state_.damage_cbrt[i] = law.grown(state_.damage_cbrt[i], tension / (intact * E),
                                       flaws_[state_.id[i]], c_l, R_s, duration);

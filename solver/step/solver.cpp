@@ -72,7 +72,7 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
   const std::size_t n = state_.size();
   require_walls_apart(scene.environment, lists_.support() * (1 + scene.numerics.list_skin));
   resize(state_, n, fields_);
-  S_predicted_.resize(n);
+  yield_factor_.resize(n);
   pressure_.resize(n);
   visit_sums([n](auto& sums) { sums.rows.resize(n); });
   if (const auto* law = std::get_if<GradyKipp>(&material_.fracture)) {
@@ -151,7 +151,7 @@ void Solver::turn_back(double drift) {
       state_.S[i] = image.stress(state_.S[i]);
       rates_.dv_dt[i] = image.velocity(rates_.dv_dt[i]);
       rates_.dS_dt[i] = image.stress(rates_.dS_dt[i]);
-      rates_.correction[i] = image.geometry(rates_.correction[i]);
+      rates_.correction[i] = to_single(image.geometry(to_double(rates_.correction[i])));
     }
   }
 }
@@ -215,8 +215,8 @@ void Solver::kick(double duration) {
         for (std::size_t i = 0; i < state_.size(); ++i) {
           state_.v[i] += duration * (rates_.dv_dt[i] + gravity(i, age));
           state_.rho[i] += duration * rates_.drho_dt[i];
-          state_.S[i] = rheology.yielded(state_.S[i] + duration * rates_.dS_dt[i], pressure_[i],
-                                         condition(i, 0));
+          state_.S[i] = yielded(rheology, state_.S[i] + duration * rates_.dS_dt[i], pressure_[i],
+                                condition(i, 0));
           if (!is_finite(state_.v[i]) || !std::isfinite(trace(state_.S[i]) + state_.rho[i]))
             offender = std::min(offender, i);
         }
@@ -233,17 +233,15 @@ void Solver::evaluate_gravity(double elapsed) {
   const auto [gx, gy, gz] = scene_.environment.gravity_m_per_s2;
   const Vec3 uniform{gx, gy, gz};
   if (!scene_.environment.self_gravity) {
-    std::fill(rates_.g.begin(), rates_.g.end(), uniform);
+    std::fill(rates_.g.begin(), rates_.g.end(), Vec3f(uniform));
     return;
   }
   tree_.fit(state_.x);
-  const std::vector<Vec3> before = rates_.g;
-  gravity_.accelerations(tree_, state_.x, rates_.g);
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < state_.size(); ++i) {
-    rates_.g[i] += uniform;
-    rates_.dg_dt[i] = elapsed > 0 ? (rates_.g[i] - before[i]) / elapsed : Vec3{};
-  }
+  gravity_.accelerations(tree_, state_.x, [&](std::size_t i, const Vec3& attraction) {
+    const Vec3 now = attraction + uniform, before = rates_.g[i];
+    rates_.dg_dt[i] = Vec3f(elapsed > 0 ? (now - before) / elapsed : Vec3{});
+    rates_.g[i] = Vec3f(now);
+  });
 }
 
 /// The corrected gradient and its dual force stretch stresses at a free surface by the largest
@@ -251,7 +249,7 @@ void Solver::evaluate_gravity(double elapsed) {
 /// carries no stress at its surface and needs no shorter steps.
 double Solver::stiffening(std::size_t i) const {
   if (!stressed_surface_ || gradient_ != Gradient::corrected) return 1;
-  return largest_principal(rates_.correction[i]);
+  return largest_principal(to_double(rates_.correction[i]));
 }
 
 /// dt = cfl h/(L c_l + h |div v|) with the longitudinal wave c_l^2 = c^2 + 4G/(3 rho), L the

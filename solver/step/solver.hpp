@@ -100,10 +100,13 @@ class Solver {
   double smoothing_length(double rho) const;
   double largest_support() const;
   Condition condition(std::size_t i, double ahead) const;
-  FluxRows momentum_flux(std::size_t i) const;
-  SymTensor artificial_stress(std::size_t i) const;
+  SymTensor predicted_stress(std::size_t i, double ahead) const;
+  FluxRows momentum_flux(std::size_t i, double ahead) const;
+  SymTensor artificial_stress(std::size_t i, double ahead) const;
   double gravity_age() const { return dt_ * static_cast<double>(since_gravity_); }
-  Vec3 gravity(std::size_t i, double age) const { return rates_.g[i] + age * rates_.dg_dt[i]; }
+  Vec3 gravity(std::size_t i, double age) const {
+    return Vec3(rates_.g[i]) + age * Vec3(rates_.dg_dt[i]);
+  }
   double stiffening(std::size_t i) const;
   double time_step() const;
   long steps_in_cycle() const;
@@ -127,9 +130,9 @@ class Solver {
   Gravity gravity_;
   NeighbourList lists_;
   KdTree tree_;
-  std::vector<SymTensor> S_predicted_;  ///< yielded, at the time of the rates
-  std::vector<double> pressure_;        ///< at the time of the rates
-  long since_gravity_ = 0;              ///< steps since gravity was evaluated
+  std::vector<float> yield_factor_;  ///< what yielding leaves of the predicted stress
+  std::vector<double> pressure_;     ///< at the time of the rates
+  long since_gravity_ = 0;           ///< steps since gravity was evaluated
   double dt_ = 0;
   long list_builds_ = 0, builds_in_order_ = 0, uncorrected_ = 0;
   /// No particle gets further than reach + fastest_expected (t - begun).

@@ -69,12 +69,10 @@ void add_softened(Targets& t, const Vec3& source, float h) {
 
 /// A distant node: monopole and quadrupole about its centre of mass.
 template <Field field>
-void add_node(Targets& t, const Vec3& centre, float count, const SymTensor& Q) {
+void add_node(Targets& t, const Vec3& centre, float count, const SymTensorf& Q) {
   const auto sx = static_cast<float>(centre.x), sy = static_cast<float>(centre.y),
              sz = static_cast<float>(centre.z);
-  const auto xx = static_cast<float>(Q.xx), yy = static_cast<float>(Q.yy),
-             zz = static_cast<float>(Q.zz), xy = static_cast<float>(Q.xy),
-             xz = static_cast<float>(Q.xz), yz = static_cast<float>(Q.yz);
+  const auto [xx, yy, zz, xy, xz, yz] = Q;
   for (int k = 0; k < packs; ++k) {
     const P dx = t.x[k] - sx, dy = t.y[k] - sy, dz = t.z[k] - sz;
     const P s = inverse_sqrt(P(dx * dx + dy * dy + dz * dz)), s2 = s * s;
@@ -97,29 +95,31 @@ void Gravity::fit_moments(const KdTree& tree, const std::vector<Vec3>& x) {
   moments_.resize(tree.nodes.size());
   for (std::size_t n = tree.nodes.size(); n-- > 0;) {
     const KdTree::Node& node = tree.nodes[n];
-    Moments m{{}, static_cast<double>(node.size()), 0, {}};
-    const auto add_quadrupole = [&](const Vec3& d, double count) {
+    const double count = node.size();
+    Vec3 centre, corner;
+    SymTensor quadrupole;
+    const auto add_quadrupole = [&](const Vec3& d, double n_of) {
       const double r2 = norm2(d);
-      m.quadrupole += SymTensor{3 * d.x * d.x - r2, 3 * d.y * d.y - r2, 3 * d.z * d.z - r2,
-                                3 * d.x * d.y,      3 * d.x * d.z,      3 * d.y * d.z} *
-                      count;
+      quadrupole += SymTensor{3 * d.x * d.x - r2, 3 * d.y * d.y - r2, 3 * d.z * d.z - r2,
+                              3 * d.x * d.y,      3 * d.x * d.z,      3 * d.y * d.z} *
+                    n_of;
     };
     if (node.is_leaf()) {
-      for (std::uint32_t i = node.begin; i < node.end; ++i) m.centre += x[i];
-      m.centre *= 1 / m.count;
-      for (std::uint32_t i = node.begin; i < node.end; ++i) add_quadrupole(x[i] - m.centre, 1);
+      for (std::uint32_t i = node.begin; i < node.end; ++i) centre += x[i];
+      centre *= 1 / count;
+      for (std::uint32_t i = node.begin; i < node.end; ++i) add_quadrupole(x[i] - centre, 1);
     } else {
       const Moments &l = moments_[node.left], &r = moments_[node.right];
-      m.centre = (l.centre * l.count + r.centre * r.count) / m.count;
+      centre = (l.centre * l.count + r.centre * r.count) / count;
       for (const Moments* child : {&l, &r}) {
-        m.quadrupole += child->quadrupole;
-        add_quadrupole(child->centre - m.centre, child->count);
+        quadrupole += to_double(child->quadrupole);
+        add_quadrupole(child->centre - centre, child->count);
       }
     }
-    Vec3 corner;
     for (int k = 0; k < 3; ++k)
-      corner[k] = std::max(m.centre[k] - node.box.lo[k], node.box.hi[k] - m.centre[k]);
-    m.size = norm(corner);
+      corner[k] = std::max(centre[k] - node.box.lo[k], node.box.hi[k] - centre[k]);
+    const Moments m{centre, static_cast<float>(count), static_cast<float>(norm(corner)),
+                    to_single(quadrupole)};
     moments_[n] = m;
   }
 }
@@ -154,9 +154,9 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Store&& store
         const KdTree::Node& node = tree.nodes[n];
         const Moments& m = moments_[n];
         const double d2 = distance2(box, m.centre),
-                     theta_d2 = p_.opening_angle * p_.opening_angle * d2;
-        if (m.size * m.size < theta_d2 && d2 > (m.size + reach) * (m.size + reach)) {
-          add_node<field>(t, m.centre - origin, static_cast<float>(m.count), m.quadrupole);
+                     theta_d2 = p_.opening_angle * p_.opening_angle * d2, size = m.size;
+        if (size * size < theta_d2 && d2 > (size + reach) * (size + reach)) {
+          add_node<field>(t, m.centre - origin, m.count, m.quadrupole);
         } else if (!node.is_leaf()) {
           stack.push_back(node.right);
           stack.push_back(node.left);
@@ -178,8 +178,13 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Store&& store
 
 void Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& x, std::vector<Vec3>& g) {
   g.resize(x.size());
+  accelerations(tree, x, [&](std::size_t i, const Vec3& a) { g[i] = a; });
+}
+
+void Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& x,
+                            const std::function<void(std::size_t, const Vec3&)>& store) {
   const double scale = newton_G * p_.particle_mass;
-  walk<false>(tree, x, [&](std::size_t i, const Vec3& a, double) { g[i] = scale * a; });
+  walk<false>(tree, x, [&](std::size_t i, const Vec3& a, double) { store(i, scale * a); });
 }
 
 double Gravity::potential_energy(const KdTree& tree, const std::vector<Vec3>& x) {

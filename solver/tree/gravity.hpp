@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "solver/base/tensor.hpp"
@@ -22,16 +23,19 @@ class Gravity {
 
   /// Accelerations (m/s^2) at `x`, memory order; `tree` must be fitted to `x`.
   void accelerations(const KdTree& tree, const std::vector<Vec3>& x, std::vector<Vec3>& g);
+  /// The same, handed to store(i, g_i) by several threads, each particle once.
+  void accelerations(const KdTree& tree, const std::vector<Vec3>& x,
+                     const std::function<void(std::size_t, const Vec3&)>& store);
 
   /// Total potential energy, J; the same walk.
   double potential_energy(const KdTree& tree, const std::vector<Vec3>& x);
 
  private:
   struct Moments {
-    Vec3 centre;           ///< of mass, m
-    double count;          ///< mass in particle masses
-    double size;           ///< largest distance of a corner of the box from the centre, m
-    SymTensor quadrupole;  ///< sum of 3 x x - r^2 1, m^2
+    Vec3 centre;            ///< of mass, m
+    float count;            ///< mass in particle masses
+    float size;             ///< largest distance of a corner of the box from the centre, m
+    SymTensorf quadrupole;  ///< sum of 3 x x - r^2 1, m^2
   };
   void fit_moments(const KdTree& tree, const std::vector<Vec3>& x);
   template <bool potential, class Store>

@@ -33,10 +33,11 @@ struct Builder {
   std::vector<float>& slack;
   Local local;
   std::vector<std::uint32_t> stack;
-  std::vector<std::uint16_t> found;
+  std::vector<std::uint32_t> rows;
+  std::vector<std::uint16_t> found, index;
 
   /// Particles that `box` may reach, bucket `own` excluded, in tree order.
-  void collect(const Box& box, std::uint32_t own, BucketList& list) {
+  void collect(const Box& box, std::uint32_t own) {
     const double r2 = radius * radius;
     stack.assign(1, 0);
     while (!stack.empty()) {
@@ -46,7 +47,7 @@ struct Builder {
       if (distance2(node.box, box) >= r2) continue;
       if (node.is_leaf()) {
         for (std::uint32_t j = node.begin; j < node.end; ++j)
-          if (distance2(box, x[j]) < r2) list.rows.push_back(j);
+          if (distance2(box, x[j]) < r2) rows.push_back(j);
       } else {
         stack.push_back(node.right);
         stack.push_back(node.left);
@@ -57,10 +58,10 @@ struct Builder {
   /// Mirror images that `box` may reach, of any bucket: an image of `box` reaches the particle.
   void collect_images(const Box& box, BucketList& list) {
     constexpr std::uint32_t none_left_out = 0xffffffff;
-    list.images.assign(list.rows.size(), 0);
+    list.images.assign(rows.size(), 0);
     for (std::size_t k = 0; k < images.size(); ++k) {
-      collect(images[k](box), none_left_out, list);
-      list.images.resize(list.rows.size(), static_cast<std::uint8_t>(k + 1));
+      collect(images[k](box), none_left_out);
+      list.images.resize(rows.size(), static_cast<std::uint8_t>(k + 1));
     }
   }
 
@@ -70,37 +71,40 @@ struct Builder {
         static_cast<std::uint32_t>(std::min<std::size_t>(first + bucket_size, x.size()));
     Box box;
     for (std::uint32_t i = first; i < last; ++i) box.include(x[i]);
-    list.rows.clear();
+    rows.clear();
     list.images.clear();
-    list.index.clear();
-    for (std::uint32_t i = first; i < last; ++i) list.rows.push_back(i);
-    collect(box, bucket, list);
+    index.clear();
+    for (std::uint32_t i = first; i < last; ++i) rows.push_back(i);
+    collect(box, bucket);
     if (!images.empty()) collect_images(box, list);
-    if (list.rows.size() * row_units > 65535)
+    if (rows.size() * row_units > 65535)
       throw NumericalError(
           "collapse", -1, static_cast<long>(first),
-          fmt::format("{} particles crowd around one bucket of {}", list.rows.size(), bucket_size));
+          fmt::format("{} particles crowd around one bucket of {}", rows.size(), bucket_size));
     const Vec3 centre = box.centre();
     local.clear();
-    for (std::size_t k = 0; k < list.rows.size(); ++k) {
-      const Vec3& at = x[list.rows[k]];
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const Vec3& at = x[rows[k]];
       const bool mirrored = !list.images.empty() && list.images[k] > 0;
       local.push((mirrored ? images[list.images[k] - 1u](at) : at) - centre);
     }
     while (local.x.size() % lanes<float> != 0) local.push({1e9, 1e9, 1e9});
     for (std::uint32_t k = 0; k < last - first; ++k) {
-      list.begin[k] = static_cast<std::uint32_t>(list.index.size());
-      const std::size_t neighbours = append_neighbours(k, list);
+      list.begin[k] = static_cast<std::uint32_t>(index.size());
+      const std::size_t neighbours = append_neighbours(k);
       // Bulk particles need no slack of their own: their nearest unlisted one is a skin away.
       slack[first + k] = neighbours > loose_neighbours || !images.empty()
                              ? -1.0f
                              : static_cast<float>(unlisted_distance(first + k) - support);
     }
     for (std::size_t k = last - first; k <= bucket_size; ++k)
-      list.begin[k] = static_cast<std::uint32_t>(list.index.size());
+      list.begin[k] = static_cast<std::uint32_t>(index.size());
+    // Copied at their length: grown in place they would hold up to twice the memory.
+    list.rows.assign(rows.begin(), rows.end());
+    list.index.assign(index.begin(), index.end());
   }
 
-  std::size_t append_neighbours(std::uint32_t k, BucketList& list) {
+  std::size_t append_neighbours(std::uint32_t k) {
     using P = Pack<float>;
     // Rounding of float positions must not lose a pair: widen the radius by a part in 1e5.
     const auto r2 = static_cast<float>(radius * radius * (1 + 2e-5));
@@ -119,10 +123,10 @@ struct Builder {
     }
     const auto neighbours = static_cast<std::size_t>(end - found.data());
     while (static_cast<std::size_t>(end - found.data()) % NeighbourList::padding != 0)
-      *end++ = static_cast<std::uint16_t>(list.rows.size());
+      *end++ = static_cast<std::uint16_t>(rows.size());
     for (std::uint16_t* entry = found.data(); entry < end; ++entry)
       *entry = static_cast<std::uint16_t>(*entry * row_units);
-    list.index.insert(list.index.end(), found.data(), end);
+    index.insert(index.end(), found.data(), end);
     return neighbours;
   }
 
@@ -165,6 +169,8 @@ void NeighbourList::build(const KdTree& tree, const std::vector<Vec3>& x) {
                     images_,
                     row_units_,
                     slack_,
+                    {},
+                    {},
                     {},
                     {},
                     {}};

@@ -39,6 +39,12 @@ inline void fill(Random& random, Vec3& value) { value = random.direction() * 123
 inline void fill(Random& random, SymTensor& s) {
   for (double* x : {&s.xx, &s.yy, &s.zz, &s.xy, &s.xz, &s.yz}) fill(random, *x);
 }
+inline void fill(Random& random, Vec3f& value) { value = Vec3f(random.direction() * 123.456); }
+inline void fill(Random& random, SymTensorf& s) {
+  SymTensor wide;
+  fill(random, wide);
+  s = to_single(wide);
+}
 inline void fill(Random& random, std::uint8_t& body) { body = random.uniform() < 0.5 ? 0 : 1; }
 inline void fill(Random&, std::uint32_t&) {}
 

@@ -94,8 +94,8 @@ std::vector<NeighbourSums> all_pairs(const Particles& p, const Viscosity& visc,
 
 /// The sums of the code under test.
 template <class Sums>
-std::vector<NeighbourSums> swept(const Particles& p, const Viscosity& visc,
-                                 double skin = 0.1, const ExtraTerms& extra = {}) {
+std::vector<NeighbourSums> swept(const Particles& p, const Viscosity& visc, double skin = 0.1,
+                                 const ExtraTerms& extra = {}) {
   NeighbourList lists(2 * h, 2 * h * skin, {}, row_units<typename Sums::Number>);
   lists.build(test::fitted_tree(p.x), p.x);
   Sums sums(h, mass, visc, extra);

@@ -96,7 +96,7 @@ TEST(Solver, AParticleThrownOffForNoReasonIsCalledLost) {
   Solver healthy(scene, ball(scene));
   healthy.cycle(1e9);
   Rates rates = healthy.rates();
-  rates.g[17] = {1e4, 0, 0};
+  rates.g[17] = Vec3f({1e4, 0, 0});
   Solver poisoned(scene, healthy.state(), rates, healthy.restart(), healthy.pressure());
   try {
     for (int cycle = 0; cycle < 100; ++cycle) poisoned.cycle(1e9);
