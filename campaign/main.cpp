@@ -1,3 +1,28 @@
 #include "campaign/cli/cli.hpp"
+#include "campaign/cpu.hpp"
 
-int main(int argc, char** argv) { return eerie::cli::main(argc, argv); }
+#ifdef __AVX2__
+constexpr bool avx2 = true;
+#else
+constexpr bool avx2 = false;
+#endif
+#ifdef __FMA__
+constexpr bool fma = true;
+#else
+constexpr bool fma = false;
+#endif
+#ifdef __AVX512F__
+constexpr bool avx512f = true;
+#else
+constexpr bool avx512f = false;
+#endif
+#ifdef __AVX512VBMI2__
+constexpr bool avx512vbmi2 = true;
+#else
+constexpr bool avx512vbmi2 = false;
+#endif
+
+int main(int argc, char** argv) {
+  eerie::require_cpu(avx2, fma, avx512f, avx512vbmi2);
+  return eerie::cli::main(argc, argv);
+}

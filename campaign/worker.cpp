@@ -20,6 +20,7 @@
 #include "campaign/worker_lock.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
+#include "solver/base/simd.hpp"
 #include "solver/scene/guards.hpp"
 
 namespace eerie {
@@ -112,8 +113,8 @@ int run_worker(const WorkerOptions& options) {
   const WorkerLock lock(directory);
   open_log(directory);
   const Provenance source = provenance();
-  spdlog::info("eerie {} ({}) on {}, process {}, {} threads", source.version, source.commit,
-               source.host, ::getpid(), options.threads);
+  spdlog::info("eerie {} ({}) on {}, process {}, {} threads, {}", source.version, source.commit,
+               source.host, ::getpid(), options.threads, vector_variant);
   const Heartbeat heartbeat(directory.heartbeat());
   try {
     return run_job(directory, options.threads);

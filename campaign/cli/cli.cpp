@@ -11,6 +11,7 @@
 #include "campaign/worker.hpp"
 #include "db/error.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/simd.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -35,11 +36,12 @@ Action add_run(CLI::App& app) {
   auto a = std::make_shared<RunArguments>();
   app.add_option("SWEEP", a->sweep, "sweep file")->required();
   add_database(app, a->database);
-  app.add_option("--workers", a->workers, "jobs at a time (default: cores / threads per job)")
+  app.add_option("--workers", a->workers,
+                 "jobs at a time (default: measured, as many as work fastest)")
       ->check(CLI::Range(1, most_threads));
-  app.add_option("--threads-per-job", a->threads_per_job, "threads of each job")
-      ->check(CLI::Range(1, most_threads))
-      ->capture_default_str();
+  app.add_option("--threads-per-job", a->threads_per_job,
+                 "threads of each job (default: measured, or cores / workers)")
+      ->check(CLI::Range(1, most_threads));
   add_overrides(app, a->overrides);
   app.add_option("--map", a->maps, "draw the b/a map into this file too (.png, .svg or .pdf)");
   app.add_flag("--retry-failed", a->retry_failed, "run the sweep's failed jobs again");
@@ -184,8 +186,8 @@ int main(int argc, char** argv) {
   CLI::App app(
       "eerie explores impacts of planetesimals that leave extremely elongated remnants (EERs).",
       "eerie");
-  app.set_version_flag("--version",
-                       "eerie " + provenance().version + " (" + provenance().commit + ")");
+  app.set_version_flag("--version", fmt::format("eerie {} ({}), {}", provenance().version,
+                                                provenance().commit, vector_variant));
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 some job failed, 2 bad input, 3 environment, 130 stopped by Ctrl-C.\n"

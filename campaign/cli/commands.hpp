@@ -13,8 +13,8 @@ namespace eerie::cli {
 
 struct RunArguments {
   std::filesystem::path sweep, database;
-  int workers = 0;  ///< 0: as many as cores allow
-  int threads_per_job = 1;
+  int workers = 0;          ///< 0: chosen
+  int threads_per_job = 0;  ///< 0: chosen
   std::vector<std::string> overrides;
   std::vector<std::filesystem::path> maps;  ///< besides the two beside the database
   bool retry_failed = false;

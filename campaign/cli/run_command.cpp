@@ -15,6 +15,7 @@
 #include "campaign/map.hpp"
 #include "campaign/run_loop.hpp"
 #include "campaign/signals.hpp"
+#include "campaign/split.hpp"
 #include "db/lock.hpp"
 #include "solver/base/error.hpp"
 
@@ -54,10 +55,47 @@ void require_drawable(const std::vector<fs::path>& files, const std::vector<db::
                     files.front().string(), maps.size()));
 }
 
+/// Core-seconds of work from which on measuring splits pays, and what a measurement takes.
+constexpr double worth_measuring_s = 120, assumed_speed = 2e6;
+constexpr std::chrono::duration<double> measurement{0.4};
+
+std::string text(const Split& split) {
+  return fmt::format("{} job{} x {} thread{}", split.jobs, split.jobs == 1 ? "" : "s",
+                     split.threads, split.threads == 1 ? "" : "s");
+}
+
+/// As the user says, else as measured on the longest job; without a measurement, many narrow jobs.
+Split choose_split(const RunArguments& a, const std::vector<db::Job>& pending,
+                   const db::Connection& connection) {
+  const std::size_t cores = usable_cores();
+  const auto threads = static_cast<std::size_t>(std::max(1, a.threads_per_job));
+  if (a.workers > 0) return {static_cast<std::size_t>(a.workers), static_cast<int>(threads), 0};
+  if (a.threads_per_job > 0)
+    return {std::max<std::size_t>(1, cores / threads), a.threads_per_job, 0};
+  double particle_steps = 0;
+  for (const db::Job& job : pending) particle_steps += job.expected_particle_steps;
+  const std::vector<Split> possible = possible_splits(cores, pending.size());
+  if (possible.size() == 1 || particle_steps / assumed_speed < worth_measuring_s)
+    return possible.front();
+  const auto longest = std::ranges::max_element(pending, {}, &db::Job::expected_particle_steps);
+  const Scene scene = parse_scene(json::parse(db::scene(connection, longest->id)));
+  const std::vector<Split> splits = measured_splits(cores, pending.size(), scene, measurement);
+  if (!a.json) {
+    fmt::print("{}:", text(splits.front()));
+    for (const Split& split : splits)
+      fmt::print("{} {:.3g} M particle-steps/s",
+                 &split == &splits.front() ? "" : fmt::format("; {}", text(split)),
+                 split.particle_steps_per_s / 1e6);
+    fmt::print(" (measured; --workers and --threads-per-job decide otherwise)\n");
+    std::fflush(stdout);
+  }
+  return splits.front();
+}
+
 void work(db::Connection& connection, const RunArguments& a, std::int64_t sweep) {
-  const auto cores = static_cast<int>(usable_cores());
-  const int workers = a.workers > 0 ? a.workers : std::max(1, cores / a.threads_per_job);
-  LocalProcesses processes(static_cast<std::size_t>(workers), a.threads_per_job);
+  const Split split =
+      choose_split(a, db::jobs(connection, {sweep, db::JobState::pending}), connection);
+  LocalProcesses processes(split.jobs, split.threads);
   RunLoop loop(connection, processes, sweep);
   ProgressLine line;
   loop.run(stop_requests, [&](const CampaignView& view) { line.show(view); });

@@ -19,6 +19,7 @@
 #include "campaign/worker_lock.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
+#include "solver/base/simd.hpp"
 #include "solver/scene/guards.hpp"
 #include "solver/scene/validate.hpp"
 
@@ -69,7 +70,8 @@ void print_cost(const RunSummary& s) {
   fmt::print("{} steps to {:.6g} s, {} particle-steps; {:.0f} steps here in {} on {} thread{}\n",
              s.progress.step, s.progress.time, magnitude(s.progress.particle_steps), s.steps_here,
              duration(s.progress.wall_s), s.threads, s.threads == 1 ? "" : "s");
-  fmt::print("{} particle-steps per second and core\n\n", magnitude(rate_per_core(s)));
+  fmt::print("{} particle-steps per second and core ({})\n\n", magnitude(rate_per_core(s)),
+             vector_variant);
   std::vector<std::vector<std::string>> rows = {{"stage", "s", "%"}};
   const double wall = std::max(s.progress.wall_s, s.stages.total());
   const auto add = [&](std::string_view name, double seconds) {

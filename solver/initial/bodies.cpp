@@ -76,12 +76,22 @@ double escape_speed(double rho0, double radius) {
   return radius * std::sqrt(8 * pi / 3 * newton_G * rho0);
 }
 
+namespace {
+
+/// Points of a packing with the density of equilibrium, before they settle.
+State unsettled_body(const Scene& scene, Body body) {
+  const bool is_target = body == Body::target;
+  return at_rest(scene, body, is_target ? scene.target.radius_m : impactor_radius(scene),
+                 static_cast<std::size_t>(is_target ? scene.numerics.particles_per_target
+                                                    : impactor_particles(scene)));
+}
+
+}  // namespace
+
 State make_body(const Scene& scene, Body body) {
   const bool is_target = body == Body::target;
   const double radius = is_target ? scene.target.radius_m : impactor_radius(scene);
-  const auto n = static_cast<std::size_t>(is_target ? scene.numerics.particles_per_target
-                                                    : impactor_particles(scene));
-  Solver solver(scene, at_rest(scene, body, radius, n));
+  Solver solver(scene, unsettled_body(scene, body));
   const double still = settled_fraction * escape_speed(scene.material.rho0_kg_per_m3, radius);
   const double crossing = radius / make_material(scene).longitudinal_speed();
   double time = 0;
@@ -102,7 +112,7 @@ State make_body(const Scene& scene, Body body) {
   State s = sorted_by_id(solver.state());
   Vec3 centre;
   for (const Vec3& x : s.x) centre += x;
-  for (Vec3& x : s.x) x -= centre / static_cast<double>(n);
+  for (Vec3& x : s.x) x -= centre / static_cast<double>(s.size());
   for (Vec3& v : s.v) v = {};
   for (auto* heat : {&s.u, &s.viscous_heat, &s.shear_work})
     std::fill(heat->begin(), heat->end(), 0.0);
@@ -111,14 +121,15 @@ State make_body(const Scene& scene, Body body) {
   return s;
 }
 
-State make_impact(const Scene& scene) {
+namespace {
+
+State on_their_orbit(const Scene& scene, const State& target, const State& impactor) {
   const double contact = contact_distance(scene), q = scene.impact.q;
   const double mu = newton_G * target_mass(scene) * (1 + q);
   const RelativeOrbit start =
       orbit_before_contact(orbit_at_contact(contact, scene.impact.v_imp_cm_per_s / 100,
                                             radians(scene.impact.theta_imp_deg)),
                            mu, contact * scene.impact.separation);
-  const State target = make_body(scene, Body::target), impactor = make_body(scene, Body::impactor);
   // Shares of the masses that the particles really make up, so that momentum is zero.
   const double share =
       static_cast<double>(impactor.size()) / static_cast<double>(target.size() + impactor.size());
@@ -128,6 +139,17 @@ State make_impact(const Scene& scene) {
   append(all, target, -share * start.position, -share * start.velocity);
   append(all, impactor, (1 - share) * start.position, (1 - share) * start.velocity);
   return all;
+}
+
+}  // namespace
+
+State make_impact(const Scene& scene) {
+  return on_their_orbit(scene, make_body(scene, Body::target), make_body(scene, Body::impactor));
+}
+
+State make_unsettled_impact(const Scene& scene) {
+  return on_their_orbit(scene, unsettled_body(scene, Body::target),
+                        unsettled_body(scene, Body::impactor));
 }
 
 }  // namespace eerie

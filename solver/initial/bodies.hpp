@@ -20,4 +20,7 @@ double escape_speed(double rho0, double radius);
 /// frame of their common centre of mass; time 0. Ids run through the target first.
 State make_impact(const Scene& scene);
 
+/// The same with bodies that have not come to rest: made at once, for measuring speed.
+State make_unsettled_impact(const Scene& scene);
+
 }  // namespace eerie
