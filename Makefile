@@ -28,10 +28,11 @@ validate: packages-test  ## run the long physics (up to an hour) and write docs/
 	  ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -L long || status=$$?; \
 	  $(BUILD)/tests/eerie_report $(BUILD)/records docs && exit $$status
 
-bench: packages-test  ## time the stages of a step (Google Benchmark)
+bench: packages-test  ## time steps and stages (5 minutes); BASELINE=FILE: ratios to an earlier bench.json
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_BENCHMARKS=ON
 	@cmake --build $(BUILD) -j $(JOBS) --target eerie_bench
-	@$(BUILD)/tests/bench/eerie_bench
+	@$(BUILD)/tests/bench/eerie_bench --benchmark_out=$(BUILD)/bench.json.new --benchmark_out_format=json \
+	  $(if $(BASELINE),--baseline $(BASELINE)) && mv $(BUILD)/bench.json.new $(BUILD)/bench.json
 
 format:  ## lay out the sources with clang-format
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
