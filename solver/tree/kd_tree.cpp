@@ -54,7 +54,7 @@ struct Sorter {
 }  // namespace
 
 KdTree::KdTree(std::size_t particles) {
-  nodes.reserve(4 * particles / leaf_size + 2);
+  nodes.reserve(2 * particles / leaf_size + 64);  // full leaves, but for the last bucket
   grow(nodes, 0, static_cast<std::uint32_t>(particles));
 }
 
