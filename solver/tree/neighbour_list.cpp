@@ -46,8 +46,14 @@ struct Builder {
       if (node.begin / bucket_size == own && node.size() <= bucket_size) continue;
       if (distance2(node.box, box) >= r2) continue;
       if (node.is_leaf()) {
-        for (std::uint32_t j = node.begin; j < node.end; ++j)
-          if (distance2(box, x[j]) < r2) rows.push_back(j);
+        // Written first and kept if near: whether it is cannot be predicted.
+        std::size_t n = rows.size();
+        rows.resize(n + node.size());
+        for (std::uint32_t j = node.begin; j < node.end; ++j) {
+          rows[n] = j;
+          n += distance2(box, x[j]) < r2;
+        }
+        rows.resize(n);
       } else {
         stack.push_back(node.right);
         stack.push_back(node.left);
@@ -109,18 +115,19 @@ struct Builder {
     // Rounding of float positions must not lose a pair: widen the radius by a part in 1e5.
     const auto r2 = static_cast<float>(radius * radius * (1 + 2e-5));
     const float xk = local.x[k], yk = local.y[k], zk = local.z[k];
+    const float *x_of = local.x.data(), *y_of = local.y.data(), *z_of = local.z.data();
+    local.x[k] = 1e9f;  // out of its own way
     found.resize(local.x.size() + NeighbourList::padding);
     std::uint16_t* end = found.data();
     for (std::size_t l = 0; l < local.x.size(); l += lanes<float>) {
       P dx, dy, dz;
-      std::memcpy(&dx, &local.x[l], sizeof dx);
-      std::memcpy(&dy, &local.y[l], sizeof dy);
-      std::memcpy(&dz, &local.z[l], sizeof dz);
+      std::memcpy(&dx, x_of + l, sizeof dx);
+      std::memcpy(&dy, y_of + l, sizeof dy);
+      std::memcpy(&dz, z_of + l, sizeof dz);
       dx -= xk, dy -= yk, dz -= zk;
-      P distance2 = dx * dx + dy * dy + dz * dz;
-      if (l == k / lanes<float> * lanes<float>) distance2[k - l] = 2 * r2;  // not itself
-      end = append_less(distance2, r2, static_cast<std::uint16_t>(l), end);
+      end = append_less(P(dx * dx + dy * dy + dz * dz), r2, static_cast<std::uint16_t>(l), end);
     }
+    local.x[k] = xk;
     const auto neighbours = static_cast<std::size_t>(end - found.data());
     while (static_cast<std::size_t>(end - found.data()) % NeighbourList::padding != 0)
       *end++ = static_cast<std::uint16_t>(rows.size());
