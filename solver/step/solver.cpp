@@ -17,6 +17,7 @@ namespace {
 
 /// Particles are sorted again with every so many list builds: their order decays slowly.
 constexpr long builds_per_order = 8;
+constexpr long steps_without_gravity = 10;
 /// Limit from accelerations, dt <= 0.25 sqrt(h/|a|) (Monaghan 1992).
 constexpr double acceleration_safety = 0.25;
 /// Streams 0 and 1 of random numbers pack the bodies.
@@ -282,7 +283,10 @@ double Solver::time_step() const {
 /// (t/T)^2/2 = gravity_tolerance. T, the time in which the field changes, is the shorter one of
 /// the dynamical time (G rho0)^-1/2 and of the time in which particles cross the radius of a body
 /// of the whole mass.
+/// Without self-gravity cycles are short, so that dt keeps up with laboratory scenes.
 long Solver::steps_in_cycle() const {
+  const long interval = scene_.numerics.gravity_interval;
+  if (!scene_.environment.self_gravity) return std::min(interval, steps_without_gravity);
   double v2 = 0;
   for (const Vec3& v : state_.v) v2 += norm2(v);
   const double n = static_cast<double>(state_.size());
@@ -290,8 +294,7 @@ long Solver::steps_in_cycle() const {
   const double change =
       std::max(std::sqrt(newton_G * material_.reference_density), std::sqrt(v2 / n) / radius);
   const double steps = std::sqrt(2 * scene_.numerics.gravity_tolerance) / (change * dt_);
-  const auto most = static_cast<double>(scene_.numerics.gravity_interval);
-  return static_cast<long>(std::clamp(steps, 1.0, most));
+  return static_cast<long>(std::clamp(steps, 1.0, static_cast<double>(interval)));
 }
 
 void Solver::damp(double factor, const Vec3& omega) {

@@ -107,6 +107,7 @@ double mean_difference(const Surface& surface, const Surface& published) {
 }
 
 double reach_at_height(const Surface& surface, double height) {
+  if (surface.y.back() >= height) return surface.front;  // a blunt end
   for (std::size_t k = surface.x.size(); k-- > 1;) {
     const double outer = surface.y[k], inner = surface.y[k - 1];
     if (inner >= height && outer < height)
