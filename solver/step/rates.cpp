@@ -110,6 +110,13 @@ SymTensor Solver::artificial_stress(std::size_t i, double ahead) const {
   return -eps * positive_part(stress);
 }
 
+/// A thin layer on a wall meets its own images there: twice the neighbours in one plane, and sound.
+bool Solver::is_at_wall(std::size_t i) const {
+  return std::ranges::any_of(walls_, [&](const Mirror& wall) {
+    return std::abs(state_.x[i][wall.axis] - wall.at) < state_.h;
+  });
+}
+
 /// Rates of the energy and its parts, from the sums of particle i.
 void Solver::set_heating(std::size_t i, double ahead, const NeighbourSums& s) {
   const FluxRows T = momentum_flux(i, ahead);
@@ -163,10 +170,11 @@ void Solver::sum_over_neighbours(double ahead) {
           for (std::size_t l = 0; l < count; ++l) set_heating(i + l, ahead, lane(s, l));
       if (set_rates(i, count, ahead, s)) return;
 #pragma omp critical
-      for (std::size_t l = 0; l < count; ++l)
-        if (is_collapsed(lane(s, l).C,
-                         predicted_density(i + l, ahead) / material_.reference_density))
+      for (std::size_t l = 0; l < count; ++l) {
+        const double filling = predicted_density(i + l, ahead) / material_.reference_density;
+        if (is_collapsed(lane(s, l).C, filling) && !is_at_wall(i + l))
           singular = std::min(singular, i + l);
+      }
     });
   });
   check(singular, "singular-matrix",
