@@ -18,6 +18,8 @@ namespace {
 /// Particles are sorted again with every so many list builds: their order decays slowly.
 constexpr long builds_per_order = 8;
 constexpr long steps_without_gravity = 10;
+/// Part of a whole cycle from which on the change of gravity says something about its rate.
+constexpr double shortest_telling_cycle = 0.3;
 /// Limit from accelerations, dt <= 0.25 sqrt(h/|a|) (Monaghan 1992).
 constexpr double acceleration_safety = 0.25;
 /// Streams 0 and 1 of random numbers pack the bodies.
@@ -90,7 +92,7 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
     lists_.build(tree_, state_.x);
     evaluate(0);  // for the correction matrices
     evaluate(0);
-    evaluate_gravity(0);
+    evaluate_gravity(0, 0);
   } else {
     tree_.fit(restart.list_x);
     lists_.set_support(restart.list_support);
@@ -104,10 +106,11 @@ void Solver::cycle(double end_time) {
   const double left = end_time - state_.time;
   const auto steps_left = static_cast<long>(std::ceil(left / dt_ * (1 - 1e-12)));
   const long interval = steps_in_cycle();
+  const double planned = dt_ * static_cast<double>(interval);
   const long steps = std::min(interval, std::max(1L, steps_left));
   if (steps_left <= interval) dt_ = left / static_cast<double>(steps);
   for (since_gravity_ = 0; since_gravity_ < steps;) step();
-  evaluate_gravity(dt_ * static_cast<double>(steps));
+  evaluate_gravity(dt_ * static_cast<double>(steps), planned);
   check_positions();
 }
 
@@ -229,7 +232,9 @@ void Solver::kick(double duration) {
 /// Gravity anew, and its rate from the evaluation `elapsed` seconds ago (0: there was none).
 /// Between evaluations it goes on linearly. Holding it constant would twist every spinning body;
 /// kicking it in lumps would shake a resting one, so that viscosity, not friction, carries it.
-void Solver::evaluate_gravity(double elapsed) {
+/// A cycle that an end time has cut short keeps the old rate: over a moment g changes by less than
+/// its rounding, which a whole cycle would magnify.
+void Solver::evaluate_gravity(double elapsed, double planned) {
   const StageTimer timer(stages_, Stage::gravity);
   const auto [gx, gy, gz] = scene_.environment.gravity_m_per_s2;
   const Vec3 uniform{gx, gy, gz};
@@ -239,9 +244,10 @@ void Solver::evaluate_gravity(double elapsed) {
   }
   tree_.fit(state_.x);
   gravity_.accelerations(tree_, state_.x, [&](std::size_t i, const Vec3& attraction) {
-    const Vec3 now = attraction + uniform, before = rates_.g[i];
-    rates_.dg_dt[i] = Vec3f(elapsed > 0 ? (now - before) / elapsed : Vec3{});
-    rates_.g[i] = Vec3f(now);
+    const Vec3 before = rates_.g[i];
+    rates_.g[i] = Vec3f(attraction + uniform);
+    if (elapsed > shortest_telling_cycle * planned)
+      rates_.dg_dt[i] = Vec3f((Vec3(rates_.g[i]) - before) / elapsed);
   });
 }
 

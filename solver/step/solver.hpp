@@ -93,7 +93,7 @@ class Solver {
   bool is_at_wall(std::size_t i) const;
   void set_heating(std::size_t i, double ahead, const NeighbourSums& sums);
   void grow_damage(double duration);
-  void evaluate_gravity(double elapsed);
+  void evaluate_gravity(double elapsed, double planned);
 
   double predicted_density(std::size_t i, double ahead) const {
     return state_.rho[i] + ahead * rates_.drho_dt[i];
