@@ -20,12 +20,8 @@ struct Split {
 /// most jobs.
 std::vector<Split> possible_splits(std::size_t cores, std::size_t pending);
 
-/// The speed of a split on impacts such as `scene`: its jobs run side by side in this process for
-/// `duration` each.
-double measured_speed(const Split& split, const Scene& scene,
-                      std::chrono::duration<double> duration);
-
-/// All possible splits with their speeds, the fastest first.
+/// All possible splits with their speeds on impacts such as `scene`, each measured for `duration`;
+/// the fastest first.
 std::vector<Split> measured_splits(std::size_t cores, std::size_t pending, const Scene& scene,
                                    std::chrono::duration<double> duration);
 

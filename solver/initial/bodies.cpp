@@ -123,13 +123,16 @@ State make_body(const Scene& scene, Body body) {
 
 namespace {
 
-State on_their_orbit(const Scene& scene, const State& target, const State& impactor) {
+/// make(scene, body) makes each of the two, once the orbit is known to exist.
+template <class Make>
+State on_their_orbit(const Scene& scene, Make&& make) {
   const double contact = contact_distance(scene), q = scene.impact.q;
   const double mu = newton_G * target_mass(scene) * (1 + q);
   const RelativeOrbit start =
       orbit_before_contact(orbit_at_contact(contact, scene.impact.v_imp_cm_per_s / 100,
                                             radians(scene.impact.theta_imp_deg)),
                            mu, contact * scene.impact.separation);
+  const State target = make(scene, Body::target), impactor = make(scene, Body::impactor);
   // Shares of the masses that the particles really make up, so that momentum is zero.
   const double share =
       static_cast<double>(impactor.size()) / static_cast<double>(target.size() + impactor.size());
@@ -143,13 +146,8 @@ State on_their_orbit(const Scene& scene, const State& target, const State& impac
 
 }  // namespace
 
-State make_impact(const Scene& scene) {
-  return on_their_orbit(scene, make_body(scene, Body::target), make_body(scene, Body::impactor));
-}
+State make_impact(const Scene& scene) { return on_their_orbit(scene, make_body); }
 
-State make_unsettled_impact(const Scene& scene) {
-  return on_their_orbit(scene, unsettled_body(scene, Body::target),
-                        unsettled_body(scene, Body::impactor));
-}
+State make_unsettled_impact(const Scene& scene) { return on_their_orbit(scene, unsettled_body); }
 
 }  // namespace eerie

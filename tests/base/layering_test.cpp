@@ -31,8 +31,8 @@ const std::map<std::string, std::set<std::string>> allowed = {
 };
 
 /// Of the campaign, only these run the solver.
-const std::set<std::string> runners = {"worker.cpp", "worker.hpp", "result_file.cpp",
-                                       "result_file.hpp", "solve_command.cpp"};
+const std::set<std::string> runners = {"worker.cpp",      "worker.hpp",        "result_file.cpp",
+                                       "result_file.hpp", "solve_command.cpp", "split.cpp"};
 
 std::string room_of(const fs::path& relative) {
   auto part = relative.begin();
