@@ -19,9 +19,8 @@ std::vector<Split> possible_splits(std::size_t cores, std::size_t pending) {
   return splits;
 }
 
-std::vector<Split> measured_splits(std::size_t cores, std::size_t pending, const Scene& scene,
-                                   std::chrono::duration<double> duration) {
-  std::vector<Split> splits = possible_splits(cores, pending);
+std::vector<Split> measured(std::vector<Split> splits, const Scene& scene,
+                            std::chrono::duration<double> duration) {
   for (Split& split : splits)
     split.particle_steps_per_s = measured_speed(scene, split.jobs, split.threads, duration);
   std::ranges::stable_sort(splits, std::greater{}, &Split::particle_steps_per_s);

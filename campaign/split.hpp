@@ -20,9 +20,9 @@ struct Split {
 /// most jobs.
 std::vector<Split> possible_splits(std::size_t cores, std::size_t pending);
 
-/// All possible splits with their speeds on impacts such as `scene`, each measured for `duration`;
-/// the fastest first.
-std::vector<Split> measured_splits(std::size_t cores, std::size_t pending, const Scene& scene,
-                                   std::chrono::duration<double> duration);
+/// The splits with their speeds on impacts such as `scene`, each measured for `duration`; the
+/// fastest first.
+std::vector<Split> measured(std::vector<Split> splits, const Scene& scene,
+                            std::chrono::duration<double> duration);
 
 }  // namespace eerie

@@ -40,7 +40,7 @@ Action add_run(CLI::App& app) {
                  "jobs at a time (default: measured, as many as work fastest)")
       ->check(CLI::Range(1, most_threads));
   app.add_option("--threads-per-job", a->threads_per_job,
-                 "threads of each job (default: measured, or cores / workers)")
+                 "threads of each job (default: measured, or 1 where --workers is given)")
       ->check(CLI::Range(1, most_threads));
   add_overrides(app, a->overrides);
   app.add_option("--map", a->maps, "draw the b/a map into this file too (.png, .svg or .pdf)");

@@ -79,7 +79,7 @@ Split choose_split(const RunArguments& a, const std::vector<db::Job>& pending,
     return possible.front();
   const auto longest = std::ranges::max_element(pending, {}, &db::Job::expected_particle_steps);
   const Scene scene = parse_scene(json::parse(db::scene(connection, longest->id)));
-  const std::vector<Split> splits = measured_splits(cores, pending.size(), scene, measurement);
+  const std::vector<Split> splits = measured(possible, scene, measurement);
   if (!a.json) {
     fmt::print("{}:", text(splits.front()));
     for (const Split& split : splits)

@@ -86,14 +86,6 @@ constexpr T trace(const Mat3Of<T>& a) {
   return a[0][0] + a[1][1] + a[2][2];
 }
 
-/// a : b, the sum of a_ij b_ij.
-constexpr double contract(const Mat3& a, const Mat3& b) {
-  double sum = 0;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) sum += a[i][j] * b[i][j];
-  return sum;
-}
-
 template <class T>
 constexpr Mat3Of<T> operator*(const Mat3Of<T>& a, const Mat3Of<T>& b) {
   Mat3Of<T> c;

@@ -96,19 +96,15 @@ struct Layout<float> {
   static constexpr hsize_t columns = 1;
 };
 template <>
-struct Layout<Vec3f> : Layout<float> {
-  static constexpr hsize_t columns = 3;
-};
-template <>
-struct Layout<SymTensorf> : Layout<float> {
-  static constexpr hsize_t columns = 6;
-};
-template <>
 struct Layout<Vec3> : Layout<double> {
   static constexpr hsize_t columns = 3;
 };
 template <>
-struct Layout<SymTensor> : Layout<double> {
+struct Layout<Vec3f> : Layout<float> {
+  static constexpr hsize_t columns = 3;
+};
+template <class T>
+struct Layout<SymTensorOf<T>> : Layout<T> {
   static constexpr hsize_t columns = 6;  ///< xx, yy, zz, xy, xz, yz
 };
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(SymTensor) == 6 * sizeof(double));

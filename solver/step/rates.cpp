@@ -130,8 +130,8 @@ void Solver::set_heating(std::size_t i, double ahead, const NeighbourSums& s) {
 }
 
 /// Rates of `count` particles from i on; several at once, as everything here is arithmetic.
-/// Returns whether the gradients of all of them could be corrected.
-bool Solver::set_rates(std::size_t i, std::size_t count, double ahead, const PackedSums& s) {
+/// Returns the first whose neighbourhood has collapsed, or nobody.
+std::size_t Solver::set_rates(std::size_t i, std::size_t count, double ahead, const PackedSums& s) {
   using P = DoublePack;
   const P rho = gathered(count, [&](std::size_t l) { return predicted_density(i + l, ahead); });
   const SymTensorOf<P> trial = gathered_tensors(count, &state_.S[i]) +
@@ -139,12 +139,14 @@ bool Solver::set_rates(std::size_t i, std::size_t count, double ahead, const Pac
   const P factor = gathered(count, [&](std::size_t l) { return double{yield_factor_[i + l]}; });
   const SymTensorOf<P> S = factor * trial;
   SymTensorOf<P> L{P{} + 1, P{} + 1, P{} + 1, P{}, P{}, P{}};
-  bool corrected = true;
+  std::size_t collapsed = nobody;
   if (gradient_ != Gradient::plain) {
     L = correction_matrix(s.C);
     const P determinants = determinant(s.C);
-    for (std::size_t l = 0; l < count; ++l)
-      corrected &= determinants[l] > smallest_correctable_determinant;
+    for (std::size_t l = count; l-- > 0;)
+      if (!(determinants[l] > smallest_correctable_determinant) &&
+          is_collapsed(lane(s, l).C, rho[l] / material_.reference_density) && !is_at_wall(i + l))
+        collapsed = i + l;
   }
   const P per_rho = 1 / rho;
   scatter_tensors(count, L, &rates_.correction[i]);
@@ -155,7 +157,7 @@ bool Solver::set_rates(std::size_t i, std::size_t count, double ahead, const Pac
   for (int a = 0; a < 3; ++a)
     scatter(count, P(s.force[a] * per_rho),
             [&](std::size_t l, double rate) { rates_.dv_dt[i + l][a] = rate; });
-  return corrected;
+  return collapsed;
 }
 
 /// All neighbour sums in one visit; from them the corrected velocity gradient and the rates of
@@ -168,12 +170,9 @@ void Solver::sum_over_neighbours(double ahead) {
       if constexpr (std::remove_cvref_t<decltype(sums)>::extended)
         if (fields_.energy)
           for (std::size_t l = 0; l < count; ++l) set_heating(i + l, ahead, lane(s, l));
-      if (set_rates(i, count, ahead, s)) return;
+      if (const std::size_t collapsed = set_rates(i, count, ahead, s); collapsed != nobody) {
 #pragma omp critical
-      for (std::size_t l = 0; l < count; ++l) {
-        const double filling = predicted_density(i + l, ahead) / material_.reference_density;
-        if (is_collapsed(lane(s, l).C, filling) && !is_at_wall(i + l))
-          singular = std::min(singular, i + l);
+        singular = std::min(singular, collapsed);
       }
     });
   });

@@ -89,7 +89,7 @@ class Solver {
   void fill_rows(std::size_t bucket, double ahead,
                  const std::array<Predicted, bucket_size>& predicted);
   void sum_over_neighbours(double ahead);
-  bool set_rates(std::size_t i, std::size_t count, double ahead, const PackedSums& sums);
+  std::size_t set_rates(std::size_t i, std::size_t count, double ahead, const PackedSums& sums);
   bool is_at_wall(std::size_t i) const;
   void set_heating(std::size_t i, double ahead, const NeighbourSums& sums);
   void grow_damage(double duration);

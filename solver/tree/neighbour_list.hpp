@@ -11,7 +11,8 @@
 namespace eerie {
 
 /// Neighbours of one bucket: the union of all particles near it (its own first), and for each
-/// of its particles the list of their places in that union, times NeighbourList::row_units().
+/// of its particles the list of their places in that union, times the row units of the
+/// NeighbourList.
 /// Lists are padded to a multiple of `padding` with the union's length, the place of a dummy row
 /// that contributes nothing.
 struct BucketList {
@@ -37,8 +38,6 @@ class NeighbourList {
   NeighbourList(double support, double skin, std::vector<Image> images = {},
                 std::size_t row_units = 1)
       : support_(support), skin_(skin), row_units_(row_units), images_(std::move(images)) {}
-
-  std::size_t row_units() const { return row_units_; }
 
   /// For the next build; smoothing lengths that evolve need it.
   void set_support(double support) { support_ = support; }

@@ -34,7 +34,7 @@ TEST(Splits, LeaveNoCoresIdleWhereFewJobsArePending) {
 
 TEST(Splits, AreMeasuredWithAllTheirJobsAtWorkAndSorted) {
   const Scene scene = test::small_scene();
-  const auto splits = measured_splits(2, 5, scene, std::chrono::milliseconds(20));
+  const auto splits = measured(possible_splits(2, 5), scene, std::chrono::milliseconds(20));
   ASSERT_EQ(splits.size(), 2u);
   EXPECT_GT(splits[1].particle_steps_per_s, 0);
   EXPECT_GE(splits[0].particle_steps_per_s, splits[1].particle_steps_per_s);
