@@ -38,7 +38,19 @@ std::string describe(const Remnant& one, const Remnant& other, const Pair& pair)
                             pair.orbit.pericentre, pair.contact);
 }
 
+Pair pair_of(const Remnant& one, const Remnant& other) {
+  return {relative_orbit(point(one), point(other)), (one.shape.a + other.shape.a) / 2,
+          one.bound_group == other.bound_group};
+}
+
 }  // namespace
+
+bool will_meet(std::span<const Remnant> remnants) {
+  for (std::size_t i = 0; i < remnants.size(); ++i)
+    for (std::size_t j = i + 1; j < remnants.size(); ++j)
+      if (pair_of(remnants[i], remnants[j]).will_touch()) return true;
+  return false;
+}
 
 std::string unsettled_reason(std::span<const Remnant> remnants) {
   std::string reason;
@@ -46,8 +58,7 @@ std::string unsettled_reason(std::span<const Remnant> remnants) {
   for (std::size_t i = 0; i < remnants.size(); ++i)
     for (std::size_t j = i + 1; j < remnants.size(); ++j) {
       const Remnant &one = remnants[i], &other = remnants[j];
-      const Pair pair{relative_orbit(point(one), point(other)), (one.shape.a + other.shape.a) / 2,
-                      one.bound_group == other.bound_group};
+      const Pair pair = pair_of(one, other);
       if (!pair.one_group && !pair.will_touch()) continue;
       if (reason.empty())
         reason = describe(one, other, pair);

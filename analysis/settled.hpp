@@ -13,4 +13,7 @@ namespace eerie {
 /// Shapes that still change within one remnant are not seen here: that takes two snapshots.
 std::string unsettled_reason(std::span<const Remnant> remnants);
 
+/// Whether some pair of remnants is on its way to a contact.
+bool will_meet(std::span<const Remnant> remnants);
+
 }  // namespace eerie

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "analysis/settled.hpp"
 #include "campaign/heartbeat.hpp"
 #include "campaign/history.hpp"
 #include "campaign/job_directory.hpp"
@@ -96,6 +97,9 @@ Computed compute(const Scene& scene, const fs::path& directory, int threads, lon
   options.on_progress = on_progress;
   options.on_history = [&](const Snapshot& snapshot) {
     history.add(snapshot.state.time, analyse(snapshot));
+  };
+  options.settled = [](const Snapshot& snapshot) {
+    return !will_meet(find_remnants(snapshot.state).remnants);
   };
   options.stop = [] { return stop_requests() > 0; };
   options.on_note = [](const std::string& note) { spdlog::info("{}", note); };

@@ -76,6 +76,25 @@ ResultRow result_row(const SQLite::Statement& row) {
   return r;
 }
 
+Remnant remnant_row(SQLite::Statement& select) {
+  const auto column = [&](const char* name) { return select.getColumn(name); };
+  Remnant m;
+  m.rank = column("rank").getInt();
+  m.particles = column("particles").getInt64();
+  m.mass_kg = column("mass_kg").getDouble();
+  m.mass_over_total = column("mass_over_total").getDouble();
+  m.a_m = number(column("a_m"));
+  m.b_m = number(column("b_m"));
+  m.c_m = number(column("c_m"));
+  m.b_over_a = number(column("b_over_a"));
+  m.c_over_a = number(column("c_over_a"));
+  m.spin_period_h = number(column("spin_period_h"));
+  m.eer = column("eer").getInt() != 0;
+  m.target_fraction = number(column("target_fraction"));
+  m.bound_mass_over_total = number(column("bound_mass_over_total"));
+  return m;
+}
+
 }  // namespace
 
 std::vector<ResultRow> results(const Connection& connection, const ResultFilter& filter) {
@@ -86,6 +105,16 @@ std::vector<ResultRow> results(const Connection& connection, const ResultFilter&
                  " ORDER BY q, phi_d_deg, v_imp_cm_per_s, theta_imp_deg, seed, job");
     bind_conditions(select, filter);
     while (select.executeStep()) rows.push_back(result_row(select));
+  });
+  return rows;
+}
+
+std::vector<Remnant> remnants(const Connection& connection, std::int64_t job) {
+  std::vector<Remnant> rows;
+  connection.read([&](SQLite::Database& sql) {
+    SQLite::Statement select(sql, "SELECT * FROM job_remnants WHERE job_id = ? ORDER BY rank");
+    select.bind(1, job);
+    while (select.executeStep()) rows.push_back(remnant_row(select));
   });
   return rows;
 }

@@ -114,6 +114,23 @@ Action add_map(CLI::App& app) {
   return [a] { return map(*a); };
 }
 
+Action add_converge(CLI::App& app) {
+  auto a = std::make_shared<ConvergeArguments>();
+  app.add_option("STUDY", a->study, "study file")->required();
+  add_database(app, a->database);
+  app.add_option("--budget", a->core_hours,
+                 "core-hours that the study may cost, finished runs included (default: no limit)")
+      ->check(CLI::Range(0.001, 1e7));
+  app.add_option("-o,--output", a->folder, "folder for figures and tables")->required();
+  app.add_option("--workers", a->workers, "jobs at a time (default: measured)")
+      ->check(CLI::Range(1, most_threads));
+  app.add_option("--threads-per-job", a->threads_per_job, "threads of each job (default: measured)")
+      ->check(CLI::Range(1, most_threads));
+  app.add_flag("--draw-only", a->draw_only, "run nothing: figures and tables of what is there");
+  add_json(app, a->json);
+  return [a] { return converge(*a); };
+}
+
 Action add_worker(CLI::App& app) {
   auto a = std::make_shared<WorkerOptions>();
   app.add_option("DIR", a->directory, "job directory")->required();
@@ -161,6 +178,10 @@ constexpr Command commands[] = {
      "  eerie map -o map.png\n"
      "  eerie map --q 1 --phi-d 50 -o map.pdf -o map.svg",
      add_map},
+    {"converge", "Run impacts at rising particle numbers and draw how their results converge",
+     "  eerie converge sweeps/studies/convergence.json --budget 2 -o convergence\n"
+     "  eerie converge sweeps/studies/convergence.json --draw-only -o convergence",
+     add_converge},
     {"worker", "Run the job of a directory", nullptr, add_worker},
 };
 

@@ -70,6 +70,15 @@ struct MapArguments {
 };
 int map(const MapArguments& arguments);
 
+struct ConvergeArguments {
+  std::filesystem::path study, database, folder;
+  double core_hours = 0;  ///< 0: as much as the study takes
+  int workers = 0, threads_per_job = 0;
+  bool draw_only = false;
+  bool json = false;
+};
+int converge(const ConvergeArguments& arguments);
+
 /// "18:22" -> {18, 22}; "20" -> {20, 20}. Throws InputError naming `option`.
 db::Range parse_range(const std::string& text, const std::string& option);
 

@@ -7,15 +7,14 @@
 #include <tuple>
 
 #include "campaign/cli/commands.hpp"
-#include "campaign/cli/progress_line.hpp"
 #include "campaign/cli/result_columns.hpp"
 #include "campaign/cli/text_table.hpp"
+#include "campaign/cli/work.hpp"
 #include "campaign/job.hpp"
-#include "campaign/local_processes.hpp"
+#include "campaign/job_directory.hpp"
 #include "campaign/map.hpp"
-#include "campaign/run_loop.hpp"
 #include "campaign/signals.hpp"
-#include "campaign/split.hpp"
+#include "db/jobs.hpp"
 #include "db/lock.hpp"
 #include "solver/base/error.hpp"
 
@@ -24,17 +23,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-constexpr int stopped_by_signal = 130;  // 128 + SIGINT, as shells expect
-
-void make_folder_of(const fs::path& file) {
-  if (!file.has_parent_path()) return;
-  std::error_code problem;
-  fs::create_directories(file.parent_path(), problem);
-  if (problem)
-    throw EnvironmentError(fmt::format("cannot make the folder {}: {}; give another file to --db",
-                                       file.parent_path().string(), problem.message()));
-}
 
 /// What --map asks for must be possible before hours of work, not after.
 void require_drawable(const std::vector<fs::path>& files, const std::vector<db::NewJob>& jobs) {
@@ -53,70 +41,6 @@ void require_drawable(const std::vector<fs::path>& files, const std::vector<db::
                     "leave --map out, all "
                     "of them are drawn beside the database",
                     files.front().string(), maps.size()));
-}
-
-/// Core-seconds of work from which on measuring splits pays, and what a measurement takes.
-constexpr double worth_measuring_s = 120, assumed_speed = 2e6;
-constexpr std::chrono::duration<double> measurement{0.4};
-
-std::string text(const Split& split) {
-  return fmt::format("{} job{} x {} thread{}", split.jobs, split.jobs == 1 ? "" : "s",
-                     split.threads, split.threads == 1 ? "" : "s");
-}
-
-/// As the user says, else as measured on the longest job; without a measurement, many narrow jobs.
-Split choose_split(const RunArguments& a, const std::vector<db::Job>& pending,
-                   const db::Connection& connection) {
-  const std::size_t cores = usable_cores();
-  const auto threads = static_cast<std::size_t>(std::max(1, a.threads_per_job));
-  if (a.workers > 0) return {static_cast<std::size_t>(a.workers), static_cast<int>(threads), 0};
-  if (a.threads_per_job > 0)
-    return {std::max<std::size_t>(1, cores / threads), a.threads_per_job, 0};
-  double particle_steps = 0;
-  for (const db::Job& job : pending) particle_steps += job.expected_particle_steps;
-  const std::vector<Split> possible = possible_splits(cores, pending.size());
-  if (possible.size() == 1 || particle_steps / assumed_speed < worth_measuring_s)
-    return possible.front();
-  const auto longest = std::ranges::max_element(pending, {}, &db::Job::expected_particle_steps);
-  const Scene scene = parse_scene(json::parse(db::scene(connection, longest->id)));
-  const std::vector<Split> splits = measured(possible, scene, measurement);
-  if (!a.json) {
-    fmt::print("{}:", text(splits.front()));
-    for (const Split& split : splits)
-      fmt::print("{} {:.3g} M particle-steps/s",
-                 &split == &splits.front() ? "" : fmt::format("; {}", text(split)),
-                 split.particle_steps_per_s / 1e6);
-    fmt::print(" (measured; --workers and --threads-per-job decide otherwise)\n");
-    std::fflush(stdout);
-  }
-  return splits.front();
-}
-
-void work(db::Connection& connection, const RunArguments& a, std::int64_t sweep) {
-  const Split split =
-      choose_split(a, db::jobs(connection, {sweep, db::JobState::pending}), connection);
-  LocalProcesses processes(split.jobs, split.threads);
-  RunLoop loop(connection, processes, sweep);
-  ProgressLine line;
-  loop.run(stop_requests, [&](const CampaignView& view) { line.show(view); });
-  line.finish();
-}
-
-struct Tally {
-  std::size_t total = 0, done = 0, failed = 0, left = 0;
-};
-Tally tally(const db::Connection& connection, std::int64_t sweep) {
-  Tally t;
-  for (const db::Job& job : db::jobs(connection, {sweep, std::nullopt})) {
-    ++t.total;
-    if (job.state == db::JobState::done)
-      ++t.done;
-    else if (job.state == db::JobState::failed)
-      ++t.failed;
-    else if (job.state != db::JobState::cancelled)
-      ++t.left;
-  }
-  return t;
 }
 
 /// The two pictures beside the database and those asked for by --map.
@@ -194,7 +118,7 @@ int run(const RunArguments& a) {
     std::fflush(stdout);
   }
   if (before.left > 0) print_warnings(cautions(scenes));
-  if (before.left > 0) work(connection, a, added.sweep);
+  if (before.left > 0) work(connection, {a.workers, a.threads_per_job, a.json}, added.sweep);
 
   const Tally after = tally(connection, added.sweep);
   std::vector<fs::path> pictures;

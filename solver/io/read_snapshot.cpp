@@ -90,7 +90,7 @@ Snapshot read_file_bytes(const std::string& bytes) {
   const h5::Handle file = h5::open_bytes(bytes);
   Snapshot snapshot;
   snapshot.scene = read_scene(file);
-  const OptionalFields use{has_energy(snapshot.scene), has_fracture(snapshot.scene)};
+  const OptionalFields use = optional_fields(snapshot.scene);
   snapshot.state = read_state(file, use);
   const std::size_t n = snapshot.state.size();
   const auto from = [n](hid_t group) {

@@ -10,8 +10,13 @@
 
 namespace eerie {
 
+/// The per-particle fields that the physics of a scene needs.
+inline OptionalFields optional_fields(const Scene& scene) {
+  return {has_energy(scene), has_fracture(scene), is_shear_free(scene), feels_viscosity(scene)};
+}
+
 /// Raised whenever a file written before can no longer be read.
-inline constexpr std::int64_t snapshot_format_version = 3;
+inline constexpr std::int64_t snapshot_format_version = 4;
 
 /// One HDF5 file in SWIFT's layout (docs/formats.md): a snapshot, and, when `rates` and
 /// `restart` are there, a checkpoint that continues with the same bits. Particles are in memory

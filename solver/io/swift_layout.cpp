@@ -104,6 +104,7 @@ void write_field(hid_t group, const char* name, std::span<const T> data) {
 template void write_field(hid_t, const char*, std::span<const std::uint8_t>);
 template void write_field(hid_t, const char*, std::span<const std::uint32_t>);
 template void write_field(hid_t, const char*, std::span<const std::int64_t>);
+template void write_field(hid_t, const char*, std::span<const float>);
 template void write_field(hid_t, const char*, std::span<const double>);
 template void write_field(hid_t, const char*, std::span<const Vec3>);
 template void write_field(hid_t, const char*, std::span<const SymTensor>);

@@ -37,6 +37,8 @@ inline constexpr std::array field_units = {
     FieldUnit{"DensityRates", "d rho / dt", 1, -3, -1},
     FieldUnit{"StressRates", "d S / dt: xx, yy, zz, xy, xz, yz", 1, -1, -3},
     FieldUnit{"CorrectionMatrices", "of the corrected gradient: xx, yy, zz, xy, xz, yz", 0, 0, 0},
+    FieldUnit{"ShearRates", "traceless strain rate: xx, yy, zz, xy, xz, yz", 0, 0, -1},
+    FieldUnit{"ViscousPressures", "that artificial viscosity carries", 1, -1, -2},
     FieldUnit{"GravityAccelerations", "of self-gravity at its last evaluation", 0, 1, -2},
     FieldUnit{"GravityRates", "d g / dt at its last evaluation", 0, 1, -3},
     FieldUnit{"ListCoordinates", "positions when the neighbour lists were built", 0, 1, 0},

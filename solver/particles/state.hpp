@@ -41,6 +41,12 @@ struct State {
 /// A smoothing length that keeps the number of neighbours: h at the density rho0, m.
 inline double evolved_h(double h, double rho0, double rho) { return h * std::cbrt(rho0 / rho); }
 
+/// rho + change; where a lone particle would lose more than half of its density in a step, a smooth
+/// continuation that stays positive.
+inline double changed_density(double rho, double change) {
+  return change > -0.5 * rho ? rho + change : -0.25 * rho * rho / change;
+}
+
 /// Time derivatives of the state at its last evaluation. dv_dt holds the elastic and frictional
 /// forces; gravity is evaluated less often and apart.
 struct Rates {
@@ -50,6 +56,8 @@ struct Rates {
   std::vector<SymTensorf> correction;   ///< L, inverse moment matrix of the corrected gradient
   std::vector<Vec3f> g;                 ///< gravity when it was last evaluated, m/s^2
   std::vector<Vec3f> dg_dt;             ///< its change since the evaluation before, m/s^3
+  std::vector<SymTensorf> shear_rate;   ///< traceless strain rate, 1/s; for shear-free viscosity
+  std::vector<float> viscous_pressure;  ///< that viscosity carries, Pa; where friction feels it
   std::vector<double> du_dt;            ///< W/kg; with an energy equation
   std::vector<double> viscous_heating;  ///< the part of du_dt that viscosity makes, W/kg
   std::vector<double> shear_power;      ///< the part of du_dt of the deviatoric stress, W/kg
@@ -92,6 +100,8 @@ void visit_rates(R& rates, Visit&& visit) {
   visit("CorrectionMatrices", rates.correction);
   visit("GravityAccelerations", rates.g);
   visit("GravityRates", rates.dg_dt);
+  visit_some(visit, "ShearRates", rates.shear_rate);
+  visit_some(visit, "ViscousPressures", rates.viscous_pressure);
   visit_some(visit, "EnergyRates", rates.du_dt);
   visit_some(visit, "ViscousHeatingRates", rates.viscous_heating);
   visit_some(visit, "ShearPowers", rates.shear_power);
@@ -103,7 +113,7 @@ void visit_restart(R& restart, Visit&& visit) {
 
 /// Which optional fields are in use.
 struct OptionalFields {
-  bool energy = false, damage = false;
+  bool energy = false, damage = false, shear = false, viscous_pressure = false;
 };
 inline void resize(State& state, std::size_t n, OptionalFields use = {}) {
   if (use.energy) state.u.resize(n), state.viscous_heat.resize(n), state.shear_work.resize(n);
@@ -113,6 +123,8 @@ inline void resize(State& state, std::size_t n, OptionalFields use = {}) {
 inline void resize(Rates& rates, std::size_t n, OptionalFields use = {}) {
   if (use.energy)
     rates.du_dt.resize(n), rates.viscous_heating.resize(n), rates.shear_power.resize(n);
+  if (use.shear) rates.shear_rate.resize(n);
+  if (use.viscous_pressure) rates.viscous_pressure.resize(n);
   visit_rates(rates, [n](const char*, auto& array) { array.resize(n); });
 }
 

@@ -9,7 +9,12 @@ namespace {
 /// Largest Courant number at which a body of rubble stays at rest.
 double restful_cfl(const Scene::Numerics& n) {
   if (n.integrator == "leapfrog-pece") return 1.0;
-  return n.viscosity_alpha < 0.5 ? 0.4 : 0.55;
+  return n.viscosity_alpha < 0.5 || n.viscosity_particles > n.particles_per_target ? 0.4 : 0.55;
+}
+
+/// With the smoothing length of numerics.viscosity_particles.
+double effective_alpha(const Scene& s) {
+  return s.numerics.viscosity_alpha * viscosity_length_ratio(s);
 }
 
 /// One line that a scene may cross.
@@ -40,12 +45,12 @@ const Guard guards[] = {
     {"numerics.h_over_spacing", [](const Scene& s) { return s.numerics.h_over_spacing; },
      [](const Scene& s) { return s.numerics.h_over_spacing < 1; },
      "too few neighbours for a gradient; use 1.2"},
-    {"numerics.viscosity_alpha", [](const Scene& s) { return s.numerics.viscosity_alpha; },
-     [](const Scene& s) { return s.numerics.viscosity_alpha < 0.1; },
+    {"numerics.viscosity_alpha", effective_alpha,
+     [](const Scene& s) { return effective_alpha(s) < 0.1; },
      "nothing damps the shortest waves, and particles of one body fly into the other; use 0.3 to "
      "1"},
-    {"numerics.viscosity_alpha", [](const Scene& s) { return s.numerics.viscosity_alpha; },
-     [](const Scene& s) { return s.numerics.viscosity_alpha > 1.5; },
+    {"numerics.viscosity_alpha", effective_alpha,
+     [](const Scene& s) { return effective_alpha(s) > 1.5; },
      "viscosity carries most of the load in place of friction and remnants become stout; use 1 or "
      "less"},
     {"numerics.list_skin", [](const Scene& s) { return s.numerics.list_skin; },
@@ -72,7 +77,8 @@ std::vector<std::string> warnings(const Scene& scene) {
     if (guard.crossed(scene))
       found.push_back(
           fmt::format("scene.{} = {:g}: {}", guard.field, guard.value(scene), guard.consequence));
-  if (scene.numerics.gradient != "corrected")
+  if (!scene.numerics.gradient.starts_with("corrected") ||
+      scene.numerics.gradient == "corrected-rate")
     found.push_back(fmt::format(
         "scene.numerics.gradient = \"{}\": angular momentum is lost by {} over an impact; use "
         "\"corrected\"",

@@ -10,6 +10,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 #include "solver/scene/scene_schema_text.hpp"
+#include "solver/scene/schemes.hpp"
 #include "solver/scene/validate.hpp"
 
 namespace eerie {
@@ -52,6 +53,7 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/material/rheology", s.material.rheology);
   visit("/material/drucker_prager/phi_d_deg", s.material.drucker_prager.phi_d_deg);
   visit("/material/drucker_prager/cohesion_Pa", s.material.drucker_prager.cohesion_Pa);
+  visit("/material/drucker_prager/pressure", s.material.drucker_prager.pressure);
   visit("/material/lundborg/Y_0_Pa", s.material.lundborg.Y_0_Pa);
   visit("/material/lundborg/Y_M_Pa", s.material.lundborg.Y_M_Pa);
   visit("/material/lundborg/mu_i", s.material.lundborg.mu_i);
@@ -63,6 +65,7 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/environment/self_gravity", s.environment.self_gravity);
   visit("/environment/gravity_m_per_s2", s.environment.gravity_m_per_s2);
   visit("/environment/walls", s.environment.walls);
+  visit("/numerics/scheme", s.numerics.scheme);
   visit("/numerics/particles_per_target", s.numerics.particles_per_target);
   visit("/numerics/seed", s.numerics.seed);
   visit("/numerics/packing", s.numerics.packing);
@@ -72,8 +75,10 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/numerics/gradient", s.numerics.gradient);
   visit("/numerics/artificial_stress", s.numerics.artificial_stress);
   visit("/numerics/integrator", s.numerics.integrator);
+  visit("/numerics/viscosity", s.numerics.viscosity);
   visit("/numerics/viscosity_alpha", s.numerics.viscosity_alpha);
   visit("/numerics/viscosity_beta", s.numerics.viscosity_beta);
+  visit("/numerics/viscosity_particles", s.numerics.viscosity_particles);
   visit("/numerics/cfl", s.numerics.cfl);
   visit("/numerics/opening_angle", s.numerics.opening_angle);
   visit("/numerics/gravity_tolerance", s.numerics.gravity_tolerance);
@@ -81,6 +86,7 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/numerics/list_skin", s.numerics.list_skin);
   visit("/numerics/precision", s.numerics.precision);
   visit("/end/time_s", s.end.time_s);
+  visit("/end/latest_s", s.end.latest_s);
   visit("/output/snapshot_interval_s", s.output.snapshot_interval_s);
   visit("/output/history_interval_s", s.output.history_interval_s);
   visit("/output/checkpoint_interval_s", s.output.checkpoint_interval_s);
@@ -153,7 +159,7 @@ Scene parse_scene(const json& given, const std::string& where) {
   json document = given;
   normalise_integers(document);
   require_valid(scene_schema(), document, where);
-  document = with_defaults(scene_schema(), std::move(document));
+  document = with_defaults(scene_schema(), with_scheme(std::move(document)));
   Scene scene;
   visit_fields(scene, [&](const char* path, auto& member) {
     document.at(json::json_pointer(path)).get_to(member);
@@ -191,6 +197,11 @@ double particle_mass(const Scene& s) {
 }
 double smoothing_length(const Scene& s) {
   return s.numerics.h_over_spacing * std::cbrt(particle_mass(s) / s.material.rho0_kg_per_m3);
+}
+double viscosity_length_ratio(const Scene& s) {
+  if (s.numerics.viscosity_particles == 0) return 1;
+  return std::cbrt(static_cast<double>(s.numerics.particles_per_target) /
+                   static_cast<double>(s.numerics.viscosity_particles));
 }
 std::int64_t impactor_particles(const Scene& s) {
   return std::llround(s.impact.q * static_cast<double>(s.numerics.particles_per_target));

@@ -27,8 +27,9 @@ struct Scene {
     double A_Pa, B_Pa, a, b, u0_J_per_kg, u_iv_J_per_kg, u_cv_J_per_kg, alpha, beta;
   };
   struct DruckerPrager {
-    double phi_d_deg;    ///< friction angle; mu_d = tan(phi_d)
-    double cohesion_Pa;  ///< yield strength at zero pressure
+    double phi_d_deg;      ///< friction angle; mu_d = tan(phi_d)
+    double cohesion_Pa;    ///< yield strength at zero pressure
+    std::string pressure;  ///< that friction feels: "eos", or "total" with that of viscosity
   };
   struct Linear {
     double bulk_modulus_Pa;
@@ -74,26 +75,30 @@ struct Scene {
   } environment;
 
   struct Numerics {
+    std::string scheme;  ///< the set of defaults that the others took theirs from
     std::int64_t particles_per_target;
     std::int64_t seed;         ///< decides every random number of the run
     std::string packing;       ///< "glass" or "lattice" (randomly oriented)
     std::string kernel;        ///< "cubic-spline", ...
     double h_over_spacing;     ///< smoothing length over (m/rho0)^(1/3), constant in time
     std::string smoothing;     ///< "constant" h or "evolving", h ~ rho^(-1/3)
-    std::string gradient;      ///< "corrected", "corrected-rate" or "plain"
+    std::string gradient;      ///< "corrected-fully", "corrected", "corrected-rate" or "plain"
     double artificial_stress;  ///< of Gray, Monaghan & Swift (2001); 0: off
     std::string integrator;    ///< "leapfrog" or "leapfrog-pece"
+    std::string viscosity;     ///< "monaghan" or "shear-free"
     double viscosity_alpha, viscosity_beta;
-    double cfl;                     ///< dt = cfl h / (c_l + h |div v|), c_l: longitudinal wave
-    double opening_angle;           ///< Barnes-Hut: node size over distance
-    double gravity_tolerance;       ///< relative error of gravity between its evaluations
-    std::int64_t gravity_interval;  ///< the most steps from one evaluation to the next
-    double list_skin;               ///< extra neighbour search radius over 2h
-    std::string precision;          ///< of pair sums: "float" or "double"; the state is double
+    std::int64_t viscosity_particles;  ///< per target, whose h viscosity has; 0: its own
+    double cfl;                        ///< dt = cfl h / (c_l + h |div v|), c_l: longitudinal wave
+    double opening_angle;              ///< Barnes-Hut: node size over distance
+    double gravity_tolerance;          ///< relative error of gravity between its evaluations
+    std::int64_t gravity_interval;     ///< the most steps from one evaluation to the next
+    double list_skin;                  ///< extra neighbour search radius over 2h
+    std::string precision;             ///< of pair sums: "float" or "double"; the state is double
   } numerics;
 
   struct End {
     double time_s;
+    double latest_s;  ///< until then a run goes on while remnants are going to meet; 0: never
   } end;
 
   struct Output {
@@ -122,6 +127,9 @@ double impactor_radius(const Scene& scene);
 double target_mass(const Scene& scene);
 double particle_mass(const Scene& scene);
 double smoothing_length(const Scene& scene);
+/// h of viscosity over h: below 1 where numerics.viscosity_particles asks for that of more
+/// particles.
+double viscosity_length_ratio(const Scene& scene);
 std::int64_t impactor_particles(const Scene& scene);
 double contact_distance(const Scene& scene);
 double friction_coefficient(const Scene& scene);
@@ -129,5 +137,10 @@ double bulk_sound_speed(const Scene& scene);  ///< sqrt(K/rho0) of the cold mate
 /// Whether particles carry an internal energy, and a damage that grows.
 inline bool has_energy(const Scene& scene) { return scene.material.energy == "integrated"; }
 inline bool has_fracture(const Scene& scene) { return scene.material.fracture != "none"; }
+/// Whether viscosity leaves shear alone, and whether friction feels what viscosity carries.
+inline bool is_shear_free(const Scene& scene) { return scene.numerics.viscosity == "shear-free"; }
+inline bool feels_viscosity(const Scene& scene) {
+  return scene.material.drucker_prager.pressure == "total";
+}
 
 }  // namespace eerie

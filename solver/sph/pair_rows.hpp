@@ -41,6 +41,20 @@ struct alignas(64) StressRow {
       {}, {}, {}, {1, 1, 1, 1}};  ///< T_xx T_xy T_xz x, T_yx T_yy T_yz y, T_zx T_zy T_zz z, 1 1 1 1
 };
 
+/// What pair sums take into account. Scenes that need less pay nothing for more.
+enum class Terms {
+  basic,       ///< fluxes and Monaghan's viscosity
+  shear_free,  ///< viscosity without the local shear
+  all,         ///< and heat, evolving smoothing lengths, artificial stress, pressure of viscosity
+};
+
+/// How the neighbourhood is sheared, for viscosity that leaves shear alone.
+template <class Real>
+struct alignas(8 * sizeof(Real)) ShearRow {
+  Real e[6];  ///< half the traceless strain rate, xx yy zz xy xz yz, times h0, m/s
+  Real unused[2]{};
+};
+
 /// For evolving smoothing lengths and artificial stress.
 template <class Real>
 struct alignas(8 * sizeof(Real)) ExtraRow {
@@ -50,15 +64,17 @@ struct alignas(8 * sizeof(Real)) ExtraRow {
 };
 
 /// Rows of some particles, one of each kind.
-template <class Real, bool extended>
+template <class Real, Terms terms>
 struct Rows {
   std::vector<MotionRow<Real>> motion;
   std::vector<StressRow<Real>> stress;
+  std::vector<ShearRow<Real>> shear;
   std::vector<ExtraRow<Real>> extra;
 
   void resize(std::size_t n) {
     motion.resize(n), stress.resize(n);
-    if constexpr (extended) extra.resize(n);
+    if constexpr (terms != Terms::basic) shear.resize(n);
+    if constexpr (terms == Terms::all) extra.resize(n);
   }
   void grow_to(std::size_t n) {
     if (motion.size() < n) resize(n);
@@ -66,9 +82,11 @@ struct Rows {
 };
 
 /// Rows of all particles in memory order, and the copy of one bucket's surroundings.
-template <class Real, bool extended>
+template <class Real, Terms terms>
 class PairRows {
  public:
+  static constexpr bool sheared = terms != Terms::basic, extended = terms == Terms::all;
+
   /// `h0`: the scene's smoothing length, m.
   explicit PairRows(double h0) : h0_(h0), per_h0_(1 / h0), per_h0_cubed_(1 / (h0 * h0 * h0)) {}
 
@@ -92,6 +110,13 @@ class PairRows {
     }
   }
 
+  /// e: traceless strain rate, 1/s.
+  void set_shear(std::size_t i, const SymTensorf& e) requires sheared {
+    const double s = h0_ / 2;
+    rows_.shear[i] = {{real(s * e.xx), real(s * e.yy), real(s * e.zz), real(s * e.xy),
+                       real(s * e.xz), real(s * e.yz)}};
+  }
+
   /// R in Pa; h in m.
   void set_extra(std::size_t i, const SymTensor& R, double h) requires extended {
     const double ratio = h0_ / h, ratio2 = ratio * ratio;
@@ -101,7 +126,7 @@ class PairRows {
   }
 
   /// Copies the rows of `list` relative to the origin of `bucket`, with the dummy row last.
-  void gather(std::size_t bucket, const NeighbourList& lists, Rows<Real, extended>& local) const {
+  void gather(std::size_t bucket, const NeighbourList& lists, Rows<Real, terms>& local) const {
     const BucketList& list = lists[bucket];
     const std::size_t dummy = list.rows.size();
     local.grow_to(std::max(dummy + 1, bucket_size));
@@ -115,6 +140,7 @@ class PairRows {
         shift = Shift((origins_[from].x - home.x) * per_h0_, origins_[from].v - home.v);
       }
       local.motion[k] = shift(rows_.motion[j]), local.stress[k] = shift(rows_.stress[j]);
+      if constexpr (sheared) local.shear[k] = rows_.shear[j];
       if constexpr (extended) local.extra[k] = rows_.extra[j];
     }
     for (std::size_t k = 0; k < list.images.size(); ++k)
@@ -123,6 +149,7 @@ class PairRows {
     // Far away, at rest, without volume: every pair with it contributes exactly nothing.
     local.motion[dummy] = {Real(1e9), 0, 0, 0, 0, 0, 0, 0};
     for (Quad<Real>& q : local.stress[dummy].q) q = Quad<Real>{};
+    if constexpr (sheared) local.shear[dummy] = {};
     if constexpr (extended) local.extra[dummy] = {{}, 1, 0};
   }
 
@@ -150,7 +177,7 @@ class PairRows {
   };
 
   /// Row k becomes particle j as seen in a mirror.
-  void mirror(std::uint32_t j, const Image& image, const Origin& home, Rows<Real, extended>& local,
+  void mirror(std::uint32_t j, const Image& image, const Origin& home, Rows<Real, terms>& local,
               std::size_t k) const {
     const Origin& o = origins_[j / bucket_size];
     const MotionRow<Real>& r = rows_.motion[j];
@@ -164,15 +191,17 @@ class PairRows {
       local.stress[k].q[a] = rows_.stress[j].q[a] * signs;
       local.stress[k].q[a][3] = real(x[a]);
     }
-    if constexpr (extended) {
-      Real* R = local.extra[k].R;
-      R[3] *= real(st.x * st.y), R[4] *= real(st.x * st.z), R[5] *= real(st.y * st.z);
-    }
+    const auto turn = [&](Real* t) {
+      t[3] *= real(st.x * st.y), t[4] *= real(st.x * st.z), t[5] *= real(st.y * st.z);
+    };
+    // A rough wall passes the shear on like the stress: velocity goes on linearly through it.
+    if constexpr (sheared) turn(local.shear[k].e);
+    if constexpr (extended) turn(local.extra[k].R);
   }
 
   static Real real(double value) { return static_cast<Real>(value); }
   double h0_, per_h0_, per_h0_cubed_;
-  Rows<Real, extended> rows_;
+  Rows<Real, terms> rows_;
   std::vector<Origin> origins_;
 };
 

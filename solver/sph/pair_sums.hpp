@@ -18,7 +18,8 @@ struct NeighbourSumsOf {
   Mat3Of<T> G;       ///< -sum V_j v_ij (x) grad_i W: the uncorrected velocity gradient, 1/s
   /// sum V_j (T_i + T_j - q_ij 1) . grad_i W: rho_i dv_i/dt, Pa/m
   std::conditional_t<std::is_same_v<T, double>, Vec3, std::array<T, 3>> force{};
-  T heat{};  ///< 1/2 sum V_j q_ij v_ij . grad_i W: rho_i du_i/dt of viscosity, W/m^3
+  T heat{};              ///< 1/2 sum V_j q_ij v_ij . grad_i W: rho_i du_i/dt of viscosity, W/m^3
+  T viscous_pressure{};  ///< -1/6 sum V_j q_ij x_ij . grad_i W: what viscosity carries, Pa
 };
 using NeighbourSums = NeighbourSumsOf<double>;
 using PackedSums = NeighbourSumsOf<Pack<double>>;
@@ -30,6 +31,7 @@ inline NeighbourSums lane(const PackedSums& s, std::size_t l) {
   for (int k = 0; k < 9; ++k) one.G[k / 3][k % 3] = s.G[k / 3][k % 3][l];
   for (int a = 0; a < 3; ++a) one.force[a] = s.force[a][l];
   one.heat = s.heat[l];
+  one.viscous_pressure = s.viscous_pressure[l];
   return one;
 }
 
@@ -43,10 +45,11 @@ struct ExtraTerms {
   bool evolving_h = false;
   bool artificial_stress = false;  ///< q_ij 1 becomes q_ij 1 - (R_i + R_j) f^4, f = W/W(spacing)
   double spacing = 0;              ///< of particles at rest, m
+  bool shear_free = false;         ///< viscosity leaves shear alone, as with Terms::shear_free
 };
 
 /// The neighbour sweep of a step, for one floating-point type and one kernel: all sums in one
-/// visit of each pair. `extended` scenes have heat and ExtraTerms; others pay nothing for them.
+/// visit of each pair. Heat and ExtraTerms come with Terms::all alone.
 /// Each sum is made by one thread in list order; `finish(i, count, sums)` runs right after them on
 /// the same thread, for particles i to i + count - 1: lane l of `sums` belongs to i + l.
 ///
@@ -54,12 +57,12 @@ struct ExtraTerms {
 /// numbers in memory in between: a long one would wait for the latency of square roots and
 /// divisions. Geometry and viscosity need the numbers of several neighbours side by side, which
 /// takes a transposition; fluxes are only weighed and added, row by row, and need none.
-template <class Real, class Kernel, bool extended_ = false>
+template <class Real, class Kernel, Terms terms = Terms::basic>
 class PairSums {
  public:
   using Number = Real;
-  static constexpr bool extended = extended_;
-  PairRows<Real, extended> rows;
+  static constexpr bool sheared = terms != Terms::basic, extended = terms == Terms::all;
+  PairRows<Real, terms> rows;
 
   /// h: the scene's smoothing length, m; mass: of a particle, kg.
   PairSums(double h, double mass, Viscosity viscosity, ExtraTerms extra = {})
@@ -100,24 +103,25 @@ class PairSums {
     P dx, dy, dz;  ///< h0
     P ux, uy, uz;  ///< m/s
     P r2;          ///< h0^2
-    P approach;    ///< -u.dx where that is positive
+    P approach;    ///< -u.dx where that is positive; without shear, where viscosity leaves it alone
     P V, c_sum;    ///< of the neighbour; of both
     P w;           ///< V_j (dW/dr)/r, without normalisation
     P thrust;      ///< w q, q the pair pressure of viscosity, over twice the mass
   };
   struct ExtraPairs {
     Columns<Real> row;
-    P f4_w;  ///< (W/W(spacing))^4 w
+    P closing;  ///< -u.dx
+    P f4_w;     ///< (W/W(spacing))^4 w
   };
   /// The sums of one particle without their normalisation.
   struct alignas(64) Raw {
-    static constexpr int C = 0, G = 6, heat = 15, flux = 16, repulsion = 32;
-    static constexpr std::size_t count = extended_ ? 48 : 32;
+    static constexpr int C = 0, G = 6, heat = 15, flux = 16, repulsion = 32, virial = 35;
+    static constexpr std::size_t count = extended ? 48 : 32;
     Real s[count];
   };
   /// What a thread works on.
   struct Desk {
-    Rows<Real, extended> local;
+    Rows<Real, terms> local;
     std::vector<Pairs> pairs;
     std::vector<ExtraPairs> extra;
     std::vector<std::array<P, 4>> weights;
@@ -147,9 +151,31 @@ class PairSums {
     Pairs& pairs = desk.pairs[p];
     pairs.dx = dx, pairs.dy = dy, pairs.dz = dz, pairs.ux = ux, pairs.uy = uy, pairs.uz = uz;
     pairs.r2 = dx * dx + (dy * dy + (dz * dz + real(1e-12)));  // 1/r stays finite at r = 0
-    pairs.approach = positive_part(P(-(ux * dx + uy * dy + uz * dz)));
+    const P closing = -(ux * dx + uy * dy + uz * dz);
+    pairs.approach = positive_part(closing);
+    if constexpr (sheared)
+      if (!extended || extra_.shear_free)
+        pairs.approach = without_shear(pairs, closing, desk.local.shear, k, places);
     pairs.V = row[3], pairs.c_sum = me.c + row[7];
-    if constexpr (extended) desk.extra[p].row = load_columns(desk.local.extra[0].R, places);
+    if constexpr (extended) {
+      desk.extra[p].row = load_columns(desk.local.extra[0].R, places);
+      desk.extra[p].closing = closing;
+    }
+  }
+
+  /// Of the approach of a pair, what is not the shear of its neighbourhood; never more than the
+  /// whole of it, so that viscosity only takes energy.
+  P without_shear(const Pairs& pairs, P closing, const std::vector<ShearRow<Real>>& shear,
+                  std::size_t k, const std::uint16_t* places) const {
+    const Real* mine = shear[k].e;
+    const auto [e] = load_columns(shear[0].e, places);
+    const P dx = pairs.dx, dy = pairs.dy, dz = pairs.dz;
+    const P along =
+        (mine[0] + e[0]) * dx * dx + (mine[1] + e[1]) * dy * dy + (mine[2] + e[2]) * dz * dz +
+        real(2) *
+            ((mine[3] + e[3]) * dx * dy + (mine[4] + e[4]) * dx * dz + (mine[5] + e[5]) * dy * dz);
+    const P rest = closing + along;
+    return positive_part(P(rest < closing ? rest : closing));
   }
 
   /// Kernel gradient and viscosity.
@@ -192,7 +218,7 @@ class PairSums {
   void add_gradients(std::size_t k, Desk& desk, std::size_t packs) const {
     P cxx{}, cyy{}, czz{}, cxy{}, cxz{}, cyz{}, heat{};
     P gxx{}, gxy{}, gxz{}, gyx{}, gyy{}, gyz{}, gzx{}, gzy{}, gzz{};
-    [[maybe_unused]] P repulsion[3] = {};
+    [[maybe_unused]] P repulsion[4] = {};  // and the virial of viscosity
     for (std::size_t p = 0; p < packs; ++p) {
       const Pairs& pairs = desk.pairs[p];
       const P dx = pairs.dx, dy = pairs.dy, dz = pairs.dz;
@@ -205,7 +231,8 @@ class PairSums {
       gyx -= uy * wx, gyy -= uy * wy, gyz -= uy * wz;
       gzx -= uz * wx, gzy -= uz * wy, gzz -= uz * wz;
       if constexpr (extended) {
-        heat -= real(2 * scaled_mass_) * pairs.thrust * pairs.approach;  // v_ij . x_ij
+        heat -= real(2 * scaled_mass_) * pairs.thrust * desk.extra[p].closing;  // v_ij . x_ij
+        repulsion[3] -= real(2 * scaled_mass_) * pairs.thrust * pairs.r2;
         if (extra_.artificial_stress) {
           const Real* mine = desk.local.extra[k].R;
           const ExtraPairs& extra = desk.extra[p];
@@ -267,7 +294,10 @@ class PairSums {
         if constexpr (extended) force += raw[Raw::repulsion + a];
         out[p].force[static_cast<std::size_t>(a)] = get(force, per_h);
       }
-      if constexpr (extended) out[p].heat = get(raw[Raw::heat], per_h / 2);
+      if constexpr (extended) {
+        out[p].heat = get(raw[Raw::heat], per_h / 2);
+        out[p].viscous_pressure = get(raw[Raw::virial], one / 6);
+      }
     }
     return out;
   }

@@ -54,8 +54,8 @@ void Solver::apply_laws(std::size_t b, double ahead, std::array<Predicted, bucke
           const double p = rheology.pressure(point.p, now);
           pressure_[i] = p;
           const SymTensor trial = state_.S[i] + ahead * rates_.dS_dt[i];
-          yield_factor_[i] =
-              static_cast<float>(rheology.yield_factor(second_invariant(trial), p, now));
+          yield_factor_[i] = static_cast<float>(
+              rheology.yield_factor(second_invariant(trial), confining_pressure(i), now));
           out[i - first] = {rho, point.c};
         }
       },
@@ -67,15 +67,21 @@ SymTensor Solver::predicted_stress(std::size_t i, double ahead) const {
   return double{yield_factor_[i]} * (state_.S[i] + ahead * rates_.dS_dt[i]);
 }
 
-/// The momentum flux -p 1 + S L, with the L of the last sums: it follows the arrangement of the
-/// neighbours, which hardly moves in a step.
+/// The momentum flux -p 1 + S L, or (-p 1 + S) L where the continuity equation is corrected too,
+/// with the L of the last sums: it follows the arrangement of the neighbours, which hardly moves
+/// in a step.
 FluxRows Solver::momentum_flux(std::size_t i, double ahead) const {
   const SymTensor S = predicted_stress(i, ahead);
   const double p = pressure_[i];
   Quad<double> x{1, 0, 0, 0}, y{0, 1, 0, 0}, z{0, 0, 1, 0};  // rows of L
-  const FluxRows pressure = {p * x, p * y, p * z};
-  if (gradient_ == Gradient::corrected) {
+  FluxRows pressure = {p * x, p * y, p * z};
+  if (gradient_ == Gradient::corrected || gradient_ == Gradient::corrected_fully) {
     const SymTensor L = to_double(rates_.correction[i]);
+    if (gradient_ == Gradient::corrected_fully) {
+      const SymTensor M = moderate(L);
+      pressure = {p * Quad<double>{M.xx, M.xy, M.xz, 0}, p * Quad<double>{M.xy, M.yy, M.yz, 0},
+                  p * Quad<double>{M.xz, M.yz, M.zz, 0}};
+    }
     x = Quad<double>{L.xx, L.xy, L.xz, 0}, y = Quad<double>{L.xy, L.yy, L.yz, 0},
     z = Quad<double>{L.xz, L.yz, L.zz, 0};
   }
@@ -93,8 +99,12 @@ void Solver::fill_rows(std::size_t b, double ahead,
     for (std::size_t i = first; i < last; ++i) {
       const auto [rho, c] = bucket[i - first];
       const Vec3 v = state_.v[i] + ahead * (rates_.dv_dt[i] + gravity(i, age));
-      sums.rows.set(i, state_.x[i], v, state_.mass / rho, c, momentum_flux(i, ahead));
-      if constexpr (std::remove_cvref_t<decltype(sums)>::extended)
+      sums.rows.set(i, state_.x[i], v, state_.mass / filling_density(rho), c,
+                    momentum_flux(i, ahead));
+      using Family = std::remove_cvref_t<decltype(sums)>;
+      if constexpr (Family::sheared)
+        if (fields_.shear) sums.rows.set_shear(i, rates_.shear_rate[i]);
+      if constexpr (Family::extended)
         sums.rows.set_extra(i, artificial_stress(i, ahead), smoothing_length(rho));
     }
   });
@@ -123,9 +133,12 @@ void Solver::set_heating(std::size_t i, double ahead, const NeighbourSums& s) {
   double strain_power = 0;
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) strain_power += T[static_cast<std::size_t>(a)][b] * s.G[a][b];
-  const double rho = predicted_density(i, ahead);
+  const double rho = filling_density(predicted_density(i, ahead));
+  const double dilation = gradient_ == Gradient::corrected_fully
+                              ? trace(s.G * to_matrix(moderate(to_double(rates_.correction[i]))))
+                              : trace(s.G);
   rates_.viscous_heating[i] = s.heat / rho;
-  rates_.shear_power[i] = (strain_power + pressure_[i] * trace(s.G)) / rho;
+  rates_.shear_power[i] = (strain_power + pressure_[i] * dilation) / rho;
   rates_.du_dt[i] = (strain_power + s.heat) / rho;
 }
 
@@ -148,12 +161,19 @@ std::size_t Solver::set_rates(std::size_t i, std::size_t count, double ahead, co
           is_collapsed(lane(s, l).C, rho[l] / material_.reference_density) && !is_at_wall(i + l))
         collapsed = i + l;
   }
-  const P per_rho = 1 / rho;
+  const P thin = splat(thinnest_), per_rho = 1 / (rho < thin ? thin : rho);
   scatter_tensors(count, L, &rates_.correction[i]);
-  scatter_tensors(count, stress_rate(S, s.G * to_matrix(L), material_.shear_modulus),
-                  &rates_.dS_dt[i]);
-  scatter(count, P(-rho * trace(s.G)),
+  const Mat3Of<P> gradient = s.G * to_matrix(L);
+  const P divergence =
+      gradient_ == Gradient::corrected_fully ? trace(s.G * to_matrix(moderate(L))) : trace(s.G);
+  scatter_tensors(count, stress_rate(S, gradient, material_.shear_modulus), &rates_.dS_dt[i]);
+  scatter(count, P(-rho * divergence),
           [&](std::size_t l, double rate) { rates_.drho_dt[i + l] = rate; });
+  if (fields_.shear) scatter_tensors(count, deviatoric_strain(gradient), &rates_.shear_rate[i]);
+  if (fields_.viscous_pressure)
+    scatter(count, s.viscous_pressure, [&](std::size_t l, double p) {
+      rates_.viscous_pressure[i + l] = static_cast<float>(p);
+    });
   for (int a = 0; a < 3; ++a)
     scatter(count, P(s.force[a] * per_rho),
             [&](std::size_t l, double rate) { rates_.dv_dt[i + l][a] = rate; });

@@ -45,6 +45,35 @@ class Schedule {
   long done_;
 };
 
+/// When a run ends. From end.time_s on it may end whenever `settled` says so, asked every thirtieth
+/// of that time, and at end.latest_s it does: a function of simulated time alone, so that an
+/// interrupted run ends at the same moment.
+class Ending {
+ public:
+  Ending(const Scene::End& end, const std::function<bool(const Snapshot&)>& settled)
+      : end_(end), settled_(settled) {}
+
+  /// The next moment at which a run that has come to `now` may end.
+  double next(double now) const {
+    if (end_.latest_s <= end_.time_s || now < end_.time_s * (1 - rounding)) return end_.time_s;
+    const double interval = end_.time_s / 30;
+    const double asked = std::floor((now - end_.time_s) / interval + 1e-6);
+    return std::min(end_.latest_s, end_.time_s + (asked + 1) * interval);
+  }
+  bool reached(double now) const { return now >= end_.time_s * (1 - rounding); }
+  template <class MakeSnapshot>
+  bool is_over(double now, MakeSnapshot&& snapshot) const {
+    if (!reached(now)) return false;
+    if (end_.latest_s <= end_.time_s || now >= end_.latest_s * (1 - rounding)) return true;
+    return !settled_ || settled_(snapshot());
+  }
+
+ private:
+  static constexpr double rounding = 1e-12;
+  Scene::End end_;
+  const std::function<bool(const Snapshot&)>& settled_;
+};
+
 class Run {
  public:
   Run(const Scene& scene, const RunOptions& options)
@@ -53,12 +82,14 @@ class Run {
         solver_(begin()),
         snapshots_(scene.output.snapshot_interval_s, solver_.state().time),
         histories_(scene.output.history_interval_s, solver_.state().time),
-        last_good_(checkpoint()) {}
+        last_good_(checkpoint()),
+        ending_(scene.end, options.settled),
+        goal_(ending_.next(solver_.state().time)) {}
 
   RunSummary go() {
     const long first_step = solver_.state().step;
     RunEnd end = RunEnd::finished;
-    while (solver_.state().time < scene_.end.time_s * (1 - 1e-12)) {
+    while (!is_over()) {
       if (options_.max_steps > 0 && solver_.state().step - first_step >= options_.max_steps) {
         end = RunEnd::step_limit;
         break;
@@ -90,6 +121,15 @@ class Run {
   }
 
  private:
+  /// Asked after every cycle; looks at the remnants at the goals alone.
+  bool is_over() {
+    const double now = solver_.state().time;
+    if (now < goal_ * (1 - 1e-12)) return false;
+    if (ending_.is_over(now, [this] { return snapshot(); })) return true;
+    goal_ = ending_.next(now);
+    return false;
+  }
+
   fs::path numbered(long n) const {
     return options_.directory / fmt::format("snapshot_{:04d}.hdf5", n);
   }
@@ -144,7 +184,7 @@ class Run {
   /// A cycle. Where it fails, the state of the last history row, which was sound, is installed.
   void advance() {
     try {
-      solver_.cycle(scene_.end.time_s);
+      solver_.cycle(goal_);
     } catch (const NumericalError& error) {
       const fs::path path = options_.directory / last_good_file;
       write_snapshot(path, last_good_);
@@ -157,8 +197,8 @@ class Run {
   void write_outputs() {
     const StageTimer timer(solver_.stages(), Stage::output);
     const double time = solver_.state().time;
-    const bool ended = time >= scene_.end.time_s * (1 - 1e-12);
-    if (snapshots_.due(time) && !ended) write_snapshot(numbered(snapshots_.count()), snapshot());
+    const bool may_end = time >= goal_ * (1 - 1e-12);
+    if (snapshots_.due(time) && !may_end) write_snapshot(numbered(snapshots_.count()), snapshot());
     if (histories_.due(time)) {
       last_good_ = checkpoint();
       if (options_.on_history) options_.on_history(snapshot());
@@ -176,7 +216,7 @@ class Run {
   Progress progress() const {
     const State& s = solver_.state();
     return {s.time,
-            scene_.end.time_s,
+            goal_,
             s.step,
             solver_.dt(),
             static_cast<double>(s.step) * static_cast<double>(s.size()),
@@ -190,6 +230,8 @@ class Run {
   Solver solver_;
   Schedule snapshots_, histories_;
   Snapshot last_good_;  ///< a checkpoint of the last history row
+  Ending ending_;
+  double goal_;  ///< the run may end then, and is asked again
 };
 
 }  // namespace

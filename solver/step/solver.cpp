@@ -9,6 +9,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/principal.hpp"
+#include "solver/io/snapshot.hpp"
 #include "solver/step/walls.hpp"
 
 namespace eerie {
@@ -26,24 +27,37 @@ constexpr double acceleration_safety = 0.25;
 constexpr std::uint64_t flaw_stream = 2;
 /// Support radius of a list build over the largest one in use, where h evolves.
 constexpr double growth_room = 1.02;
+/// A particle that has lost its neighbours is no larger in sums than at this part of the reference
+/// density. Gradients that are corrected in every term do not depend on volumes; with those of
+/// lone particles growing without bound, the sums of their last neighbours would be theirs alone.
+constexpr double thinnest_filling = 0.2;
+
+/// With alpha h and beta h^2 of the particles that the scene names.
+Viscosity viscosity_of(const Scene& scene) {
+  const double ratio = viscosity_length_ratio(scene);
+  return {ratio * scene.numerics.viscosity_alpha, ratio * ratio * scene.numerics.viscosity_beta};
+}
 
 }  // namespace
 
 Solver::Sums Solver::make_sums() const {
   const Scene::Numerics& n = scene_.numerics;
-  const Viscosity viscosity{n.viscosity_alpha, n.viscosity_beta};
   const ExtraTerms extra{evolving_h_, n.artificial_stress > 0,
-                         std::cbrt(state_.mass / material_.reference_density)};
-  const bool extended = fields_.energy || extra.evolving_h || extra.artificial_stress;
+                         std::cbrt(state_.mass / material_.reference_density), fields_.shear};
+  const bool all =
+      fields_.energy || fields_.viscous_pressure || extra.evolving_h || extra.artificial_stress;
   return std::visit(
       [&](auto kernel) -> Sums {
         using Kernel = decltype(kernel);
-        const auto make = [&]<bool x>(std::bool_constant<x>) -> Sums {
+        const auto make = [&]<Terms t>(std::integral_constant<Terms, t>) -> Sums {
+          const Viscosity viscosity = viscosity_of(scene_);
           if (n.precision == "double")
-            return SumsOf<x>(PairSums<double, Kernel, x>(state_.h, state_.mass, viscosity, extra));
-          return SumsOf<x>(PairSums<float, Kernel, x>(state_.h, state_.mass, viscosity, extra));
+            return SumsOf<t>(PairSums<double, Kernel, t>(state_.h, state_.mass, viscosity, extra));
+          return SumsOf<t>(PairSums<float, Kernel, t>(state_.h, state_.mass, viscosity, extra));
         };
-        return extended ? make(std::true_type{}) : make(std::false_type{});
+        if (all) return make(std::integral_constant<Terms, Terms::all>{});
+        if (fields_.shear) return make(std::integral_constant<Terms, Terms::shear_free>{});
+        return make(std::integral_constant<Terms, Terms::basic>{});
       },
       make_kernel(n.kernel));
 }
@@ -57,10 +71,14 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
       state_(std::move(state)),
       rates_(std::move(rates)),
       material_(make_material(scene)),
-      fields_{has_energy(scene), has_fracture(scene)},
-      gradient_(scene.numerics.gradient == "corrected"        ? Gradient::corrected
+      fields_(optional_fields(scene)),
+      gradient_(scene.numerics.gradient == "corrected-fully"  ? Gradient::corrected_fully
+                : scene.numerics.gradient == "corrected"      ? Gradient::corrected
                 : scene.numerics.gradient == "corrected-rate" ? Gradient::corrected_rate
                                                               : Gradient::plain),
+      thinnest_(gradient_ == Gradient::corrected_fully
+                    ? thinnest_filling * material_.reference_density
+                    : 0),
       stressed_surface_(material_.stressed_surface(scene)),
       walls_(mirrors(scene.environment)),
       evolving_h_(scene.numerics.smoothing == "evolving"),
@@ -130,7 +148,7 @@ void Solver::kick_and_drift(double kick, double drift) {
     for (std::size_t i = 0; i < state_.size(); ++i) {
       state_.v[i] += kick * (rates_.dv_dt[i] + gravity(i, age));
       state_.x[i] += drift * state_.v[i];
-      state_.rho[i] += kick * rates_.drho_dt[i];
+      state_.rho[i] = changed_density(state_.rho[i], kick * rates_.drho_dt[i]);
       state_.S[i] += kick * rates_.dS_dt[i];
     }
     if (fields_.energy) heat(kick);
@@ -156,6 +174,8 @@ void Solver::turn_back(double drift) {
       rates_.dv_dt[i] = image.velocity(rates_.dv_dt[i]);
       rates_.dS_dt[i] = image.stress(rates_.dS_dt[i]);
       rates_.correction[i] = to_single(image.geometry(to_double(rates_.correction[i])));
+      if (fields_.shear)
+        rates_.shear_rate[i] = to_single(image.stress(to_double(rates_.shear_rate[i])));
     }
   }
 }
@@ -218,9 +238,9 @@ void Solver::kick(double duration) {
 #pragma omp parallel for schedule(static) reduction(min : offender)
         for (std::size_t i = 0; i < state_.size(); ++i) {
           state_.v[i] += duration * (rates_.dv_dt[i] + gravity(i, age));
-          state_.rho[i] += duration * rates_.drho_dt[i];
-          state_.S[i] = yielded(rheology, state_.S[i] + duration * rates_.dS_dt[i], pressure_[i],
-                                condition(i, 0));
+          state_.rho[i] = changed_density(state_.rho[i], duration * rates_.drho_dt[i]);
+          state_.S[i] = yielded(rheology, state_.S[i] + duration * rates_.dS_dt[i],
+                                confining_pressure(i), condition(i, 0));
           if (!is_finite(state_.v[i]) || !std::isfinite(trace(state_.S[i]) + state_.rho[i]))
             offender = std::min(offender, i);
         }
@@ -255,7 +275,8 @@ void Solver::evaluate_gravity(double elapsed, double planned) {
 /// eigenvalue of L, about two, and with them the frequency of the shortest waves there. Rubble
 /// carries no stress at its surface and needs no shorter steps.
 double Solver::stiffening(std::size_t i) const {
-  if (!stressed_surface_ || gradient_ != Gradient::corrected) return 1;
+  if (!stressed_surface_ || gradient_ == Gradient::corrected_rate || gradient_ == Gradient::plain)
+    return 1;
   return largest_principal(to_double(rates_.correction[i]));
 }
 

@@ -61,12 +61,12 @@ class Solver {
 
  private:
   static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
-  template <bool extended>
+  template <Terms terms>
   using SumsOf =
-      std::variant<PairSums<float, CubicSpline, extended>, PairSums<float, WendlandC2, extended>,
-                   PairSums<float, WendlandC4, extended>, PairSums<double, CubicSpline, extended>,
-                   PairSums<double, WendlandC2, extended>, PairSums<double, WendlandC4, extended>>;
-  using Sums = std::variant<SumsOf<false>, SumsOf<true>>;
+      std::variant<PairSums<float, CubicSpline, terms>, PairSums<float, WendlandC2, terms>,
+                   PairSums<float, WendlandC4, terms>, PairSums<double, CubicSpline, terms>,
+                   PairSums<double, WendlandC2, terms>, PairSums<double, WendlandC4, terms>>;
+  using Sums = std::variant<SumsOf<Terms::basic>, SumsOf<Terms::shear_free>, SumsOf<Terms::all>>;
   Sums make_sums() const;
   template <class Visit>
   void visit_sums(Visit&& visit) {
@@ -77,7 +77,7 @@ class Solver {
   struct Predicted {
     double rho, c;
   };
-  enum class Gradient { corrected, corrected_rate, plain };
+  enum class Gradient { corrected_fully, corrected, corrected_rate, plain };
 
   void step();
   void heat(double duration);
@@ -95,9 +95,15 @@ class Solver {
   void grow_damage(double duration);
   void evaluate_gravity(double elapsed, double planned);
 
-  double predicted_density(std::size_t i, double ahead) const {
-    return state_.rho[i] + ahead * rates_.drho_dt[i];
+  /// The pressure that friction feels.
+  double confining_pressure(std::size_t i) const {
+    return fields_.viscous_pressure ? pressure_[i] + rates_.viscous_pressure[i] : pressure_[i];
   }
+  double predicted_density(std::size_t i, double ahead) const {
+    return changed_density(state_.rho[i], ahead * rates_.drho_dt[i]);
+  }
+  /// Of the volume that a particle takes up in sums.
+  double filling_density(double rho) const { return std::max(rho, thinnest_); }
   double smoothing_length(double rho) const;
   double largest_support() const;
   Condition condition(std::size_t i, double ahead) const;
@@ -122,6 +128,7 @@ class Solver {
   Material material_;
   OptionalFields fields_;
   Gradient gradient_;
+  double thinnest_;        ///< see filling_density, kg/m^3
   bool stressed_surface_;  ///< free surfaces carry stress: in tension or by cohesion
   Flaws flaws_;
   std::vector<Mirror> walls_;

@@ -69,6 +69,7 @@ TEST(Analysis, BoundPairIsTwoRoundRemnantsMergedButUnsettled) {
   EXPECT_THAT(found.unsettled_reason,
               HasSubstr("remnants 1 and 2 (0.500 and 0.500 of the mass) are bound to each other, "
                         "200 m apart and will meet in about"));
+  EXPECT_TRUE(will_meet(found.remnants));
 }
 
 TEST(Analysis, PairThatEscapesIsSettledHitAndRun) {
@@ -77,6 +78,7 @@ TEST(Analysis, PairThatEscapesIsSettledHitAndRun) {
   EXPECT_NEAR(found.m_slr_over_m_total, 0.5, 1e-12);
   EXPECT_EQ(found.remnants[1].bound_group, 2);
   EXPECT_TRUE(found.settled) << found.unsettled_reason;
+  EXPECT_FALSE(will_meet(found.remnants));
 }
 
 TEST(Analysis, PairOnItsWayToAnImpactIsUnsettled) {
@@ -96,6 +98,7 @@ TEST(Analysis, WideBinaryIsUnsettledWithItsPericentre) {
   const Analysis found = two_balls(300, {0, circular, 0});
   EXPECT_FALSE(found.settled);
   EXPECT_THAT(found.unsettled_reason, HasSubstr("their pericentre of 300 m is outside of contact"));
+  EXPECT_FALSE(will_meet(found.remnants));  // waiting for it would not end
 }
 
 TEST(Analysis, DebrisIsNoRemnantButCountsForTheMass) {

@@ -157,6 +157,29 @@ TEST_F(Run, SpeaksJsonEverywhere) {
   EXPECT_GT(solved.at("run").at("particle_steps_per_core_second").get<double>(), 0);
 }
 
+TEST_F(Run, StudiesConvergenceWithinItsBudgetAndGoesOnWithALargerOne) {
+  install_text(folder / "study.json", R"({
+    "name": "tiny", "schemes": ["dual", "shear-free"],
+    "scene": {"end": {"time_s": 300}},
+    "cases": [{"name": "A", "scene": {}, "published": {"b_over_a": 0.24}}],
+    "ladder": [{"particles_per_target": 200, "seeds": 2}, {"particles_per_target": 300, "seeds": 1}]})");
+  const std::vector<std::string> command = {"converge", "study.json", "--workers",
+                                            "2",        "-o",         "out"};
+  const Ended too_little = eerie({"converge", "study.json", "--draw-only", "-o", "out"});
+  EXPECT_EQ(too_little.code, 2);
+  EXPECT_THAT(too_little.err, HasSubstr("has no result of this study"));
+  const Ended all = eerie(command);
+  ASSERT_EQ(all.code, 0) << all.err;
+  EXPECT_THAT(all.out, HasSubstr("6 results"));
+  EXPECT_THAT(read_file(folder / "out/A.svg"), HasSubstr("shear-free"));
+  const std::string table = read_file(folder / "out/convergence.csv");
+  EXPECT_THAT(table, HasSubstr("dual,A,200,2,"));
+  EXPECT_THAT(table, HasSubstr("shear-free,A,300,1,"));
+  const Ended again = eerie(command);
+  EXPECT_THAT(again.out, HasSubstr("6 runs within the budget, 0 to run"));
+  EXPECT_EQ(read_file(folder / "out/convergence.csv"), table);
+}
+
 TEST_F(Run, AnswersQueriesAsTableAndCsvAndSaysWhenNothingMatches) {
   test::write_sweep(folder.path(), 300, four_points);
   ASSERT_EQ(eerie({"run", "sweep.json"}).code, 0);

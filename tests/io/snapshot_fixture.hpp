@@ -35,6 +35,9 @@ class TemporaryFolder {
 };
 
 inline void fill(Random& random, double& value) { value = random.uniform(-1, 1) / 3; }
+inline void fill(Random& random, float& value) {
+  value = static_cast<float>(random.uniform(-1, 1) / 3);
+}
 inline void fill(Random& random, Vec3& value) { value = random.direction() * 123.456; }
 inline void fill(Random& random, SymTensor& s) {
   for (double* x : {&s.xx, &s.yy, &s.zz, &s.xy, &s.xz, &s.yz}) fill(random, *x);
@@ -52,18 +55,21 @@ inline void fill(Random&, std::uint32_t&) {}
 inline Snapshot random_snapshot(std::size_t n, bool checkpoint = true) {
   Random random(7, n);
   Snapshot s;
-  s.scene = parse_scene(
-      {{"impact", {{"v_imp_cm_per_s", 20.1}}},
-       {"material",
-        {{"energy", "integrated"}, {"rheology", "lundborg"}, {"fracture", "grady-kipp"}}},
-       {"environment",
-        {{"gravity_m_per_s2", {0, 0.1, -1}},
-         {"walls", {{{"face", "z_low"}, {"at_m", -60.5}, {"kind", "rough"}}}}}}});
+  s.scene = parse_scene({{"impact", {{"v_imp_cm_per_s", 20.1}}},
+                         {"material",
+                          {{"energy", "integrated"},
+                           {"rheology", "lundborg"},
+                           {"fracture", "grady-kipp"},
+                           {"drucker_prager", {{"pressure", "total"}}}}},
+                         {"numerics", {{"viscosity", "shear-free"}}},
+                         {"environment",
+                          {{"gravity_m_per_s2", {0, 0.1, -1}},
+                           {"walls", {{{"face", "z_low"}, {"at_m", -60.5}, {"kind", "rough"}}}}}}});
   s.state.time = 1234.5 / 7;
   s.state.step = 321;
   s.state.mass = 1.0e5 / 3;
   s.state.h = 8.1 / 7;
-  resize(s.state, n, {true, true});
+  resize(s.state, n, optional_fields(s.scene));
   s.pressure.resize(n);
   const auto fill_all = [&](const char*, auto& array) {
     for (auto& value : array) fill(random, value);
@@ -78,7 +84,7 @@ inline Snapshot random_snapshot(std::size_t n, bool checkpoint = true) {
     std::swap(s.state.id[i],
               s.state.id[static_cast<std::size_t>(random.uniform() * static_cast<double>(i + 1))]);
   if (checkpoint) {
-    resize(s.rates.emplace(), n, {true, true});
+    resize(s.rates.emplace(), n, optional_fields(s.scene));
     visit_rates(*s.rates, fill_all);
     s.restart.emplace().list_support = 2.3 / 7;
     s.restart->builds_in_order = 5;

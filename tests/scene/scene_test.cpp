@@ -29,6 +29,30 @@ TEST(Scene, ReadsBackWhatItWrites) {
   EXPECT_EQ(scene_hash(parse_scene(written)), scene_hash(scene));
 }
 
+TEST(Scene, TakesDefaultsFromItsSchemeUnlessItSaysOtherwise) {
+  const Scene paper = parse_scene({{"numerics", {{"scheme", "libersky-petschek-2018"}}}});
+  EXPECT_EQ(paper.numerics.gradient, "corrected-rate");
+  EXPECT_EQ(paper.numerics.h_over_spacing, 1);
+  const Scene changed =
+      parse_scene({{"numerics", {{"scheme", "libersky-petschek-2018"}, {"h_over_spacing", 1.1}}}});
+  EXPECT_EQ(changed.numerics.h_over_spacing, 1.1);
+  EXPECT_EQ(changed.numerics.gradient, "corrected-rate");
+  const json written = to_json(changed);
+  EXPECT_EQ(to_json(parse_scene(written)), written);
+}
+
+TEST(Scene, HasTheViscosityOfThePaperAtAnyParticleNumber) {
+  // alpha h = 1 x one spacing of 50,000 particles in a ball of 50 m, 2.19 m.
+  for (const int n : {1000, 5000, 50000}) {
+    const Scene scene =
+        parse_scene({{"numerics", {{"scheme", "viscosity-50000"}, {"particles_per_target", n}}}});
+    const double ratio = viscosity_length_ratio(scene), h = smoothing_length(scene);
+    EXPECT_NEAR(scene.numerics.viscosity_alpha * ratio * h, 2.188, 0.001) << n;
+    EXPECT_NEAR(scene.numerics.viscosity_beta * ratio * ratio * h * h, 2 * 2.188 * 2.188, 0.005);
+  }
+  EXPECT_EQ(viscosity_length_ratio(parse_scene(json::object())), 1);
+}
+
 TEST(Scene, HasOneHashForOneNumberHoweverItIsSpelt) {
   const std::string hash =
       scene_hash(parse_scene(json::parse(R"({"impact": {"v_imp_cm_per_s": 30}})")));

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "solver/material/material.hpp"
+#include "solver/scene/schemes.hpp"
 #include "solver/scene/validate.hpp"
 #include "solver/sph/kernel.hpp"
 #include "solver/step/integrator.hpp"
@@ -29,6 +30,20 @@ TEST(Tokens, OfEveryVariantListAreThoseOfTheSchema) {
   expect_same_names<Fracture>("material.fracture");
   expect_same_names<KernelChoice>("numerics.kernel");
   expect_same_names<Integrator>("numerics.integrator");
+}
+
+TEST(Tokens, OfTheSchemesAreThoseOfTheSchemaAndEachMakesAScene) {
+  std::set<std::string> tokens;
+  for (const Scheme& scheme : schemes) {
+    tokens.insert(scheme.token);
+    const nlohmann::json wanted = nlohmann::json::parse(scheme.numerics);
+    const nlohmann::json scene =
+        to_json(parse_scene({{"numerics", {{"scheme", scheme.token}}}}))["numerics"];
+    for (const auto& [field, value] : wanted.items()) EXPECT_EQ(scene[field], value) << field;
+  }
+  const auto names =
+      schema_at(scene_schema(), "numerics.scheme")->at("enum").get<std::set<std::string>>();
+  EXPECT_EQ(tokens, names);
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ struct Particles {
   std::vector<Vec3> x, v;
   std::vector<double> V, c;
   std::vector<Mat3> T;
-  std::vector<SymTensor> R;  // artificial stress
-  std::vector<double> h_of;  // smoothing lengths
+  std::vector<SymTensor> R;   // artificial stress
+  std::vector<double> h_of;   // smoothing lengths
+  std::vector<SymTensorf> e;  // shear of the neighbourhood
   std::size_t size() const { return x.size(); }
 };
 
@@ -42,6 +43,7 @@ Particles random_particles(std::size_t n) {
     p.T.push_back(test::random_matrix(random));
     p.R.push_back(test::random_tensor(random));
     p.h_of.push_back(h * random.uniform(0.8, 1));
+    p.e.push_back(to_single(5e-3 * test::random_deviator(random)));
   }
   return p;
 }
@@ -70,12 +72,17 @@ std::vector<NeighbourSums> all_pairs(const Particles& p, const Viscosity& visc,
       NeighbourSums& s = sums[i];
       s.C += -p.V[j] * SymTensor{gradient.x * dx.x, gradient.y * dx.y, gradient.z * dx.z,
                                  gradient.x * dx.y, gradient.x * dx.z, gradient.y * dx.z};
-      double pair_pressure = 0;
-      if (dot(dv, dx) < 0) {
-        const double mu = h_ij * dot(dv, dx) / (norm2(dx) + Viscosity::epsilon * h * h);
+      double pair_pressure = 0, closing = -dot(dv, dx);
+      if (extra.shear_free) {
+        const SymTensor e = 0.5 * (to_double(p.e[i]) + to_double(p.e[j]));
+        closing = std::min(closing, closing + dot(dx, to_matrix(e) * dx));
+      }
+      if (closing > 0) {
+        const double mu = -h_ij * closing / (norm2(dx) + Viscosity::epsilon * h * h);
         const double rho = 2 * mass / (p.V[i] + p.V[j]);
         pair_pressure = rho * (-visc.alpha * (p.c[i] + p.c[j]) / 2 * mu + visc.beta * mu * mu);
       }
+      s.viscous_pressure -= p.V[j] * pair_pressure * dot(dx, gradient) / 6;
       Mat3 R;
       if (extra.artificial_stress) {
         const double f = Kernel::w(q) / Kernel::w(extra.spacing / h);
@@ -103,6 +110,7 @@ std::vector<NeighbourSums> swept(const Particles& p, const Viscosity& visc, doub
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (i % bucket_size == 0) sums.rows.set_origin(i / bucket_size, p.x[i], p.v[i]);
     sums.rows.set(i, p.x[i], p.v[i], p.V[i], p.c[i], rows_of(p.T[i]));
+    if constexpr (Sums::sheared) sums.rows.set_shear(i, p.e[i]);
     if constexpr (Sums::extended) sums.rows.set_extra(i, p.R[i], p.h_of[i]);
   }
   std::vector<NeighbourSums> found(p.size());
@@ -114,7 +122,7 @@ std::vector<NeighbourSums> swept(const Particles& p, const Viscosity& visc, doub
 
 /// Largest difference over the largest value of each of the three sums.
 struct Differences {
-  double C = 0, G = 0, force = 0, heat = 0;
+  double C = 0, G = 0, force = 0, heat = 0, viscous_pressure = 0;
 };
 Differences differences(const std::vector<NeighbourSums>& a, const std::vector<NeighbourSums>& b) {
   Differences d, scale;
@@ -127,8 +135,12 @@ Differences differences(const std::vector<NeighbourSums>& a, const std::vector<N
     scale.force = std::max(scale.force, norm(b[i].force));
     d.heat = std::max(d.heat, std::abs(a[i].heat - b[i].heat));
     scale.heat = std::max(scale.heat, std::abs(b[i].heat));
+    d.viscous_pressure =
+        std::max(d.viscous_pressure, std::abs(a[i].viscous_pressure - b[i].viscous_pressure));
+    scale.viscous_pressure = std::max(scale.viscous_pressure, std::abs(b[i].viscous_pressure));
   }
-  return {d.C / scale.C, d.G / scale.G, d.force / scale.force, d.heat / scale.heat};
+  return {d.C / scale.C, d.G / scale.G, d.force / scale.force, d.heat / scale.heat,
+          d.viscous_pressure / scale.viscous_pressure};
 }
 
 template <class RealAndKernel>
@@ -180,24 +192,60 @@ TYPED_TEST(PairSumsTwin, EqualsTheSumOverAllPairs) {
 
 TYPED_TEST(PairSumsTwin, ExtraTermsEqualTheSumOverAllPairs) {
   using Kernel = typename TypeParam::Kernel;
-  using Sums = PairSums<typename TypeParam::Real, Kernel, true>;
+  using Sums = PairSums<typename TypeParam::Real, Kernel, Terms::all>;
   const Particles p = random_particles(600);
-  for (const bool evolving_h : {false, true})
-    for (const bool stress : {false, true}) {
-      const ExtraTerms extra{evolving_h, stress, spacing};
-      const auto exact = all_pairs<Kernel>(p, viscosity, extra);
-      const Differences d = differences(swept<Sums>(p, viscosity, 0.1, extra), exact);
-      // Fourth powers of the kernel make single terms larger than the sum: ten times the others.
-      EXPECT_LT(std::max({d.C, d.G, d.force, d.heat}), 10 * tolerance<TypeParam>)
-          << evolving_h << stress;
-      // Each term counts: leaving it out shows.
-      const Differences without = differences(all_pairs<Kernel>(p, viscosity), exact);
-      EXPECT_EQ(without.force > 1e-3, evolving_h || stress);
-    }
+  for (int flags = 0; flags < 8; ++flags) {
+    const ExtraTerms extra{(flags & 1) != 0, (flags & 2) != 0, spacing, (flags & 4) != 0};
+    const auto exact = all_pairs<Kernel>(p, viscosity, extra);
+    const Differences d = differences(swept<Sums>(p, viscosity, 0.1, extra), exact);
+    // Fourth powers of the kernel make single terms larger than the sum: ten times the others.
+    EXPECT_LT(std::max({d.C, d.G, d.force, d.heat, d.viscous_pressure}), 10 * tolerance<TypeParam>)
+        << flags;
+    // Each term counts: leaving it out shows.
+    const Differences without = differences(all_pairs<Kernel>(p, viscosity), exact);
+    EXPECT_EQ(without.force > 1e-3, flags != 0) << flags;
+  }
+}
+
+TYPED_TEST(PairSumsTwin, ShearFreeViscosityEqualsTheSumOverAllPairs) {
+  using Kernel = typename TypeParam::Kernel;
+  using Sums = PairSums<typename TypeParam::Real, Kernel, Terms::shear_free>;
+  const Particles p = random_particles(600);
+  const auto exact = all_pairs<Kernel>(p, viscosity, {false, false, 0, true});
+  const Differences d = differences(swept<Sums>(p, viscosity), exact);
+  EXPECT_LT(std::max({d.C, d.G, d.force}), tolerance<TypeParam>);
+}
+
+/// Pressure and tangential stress that viscosity makes in a uniform shear.
+template <class Sums>
+double pressure_in_shear(double rate, double compression) {
+  Particles p = random_particles(600);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    p.v[i] = {rate * p.x[i].y - compression * p.x[i].x, -compression * p.x[i].y,
+              -compression * p.x[i].z};
+    p.T[i] = {};
+    p.e[i] = to_single(SymTensor{0, 0, 0, rate / 2, 0, 0});
+  }
+  const auto sums = swept<Sums>(p, viscosity, 0.1, {false, false, 0, Sums::sheared});
+  double largest = 0;
+  for (const NeighbourSums& s : sums) largest = std::max(largest, norm(s.force));
+  return largest;
+}
+
+/// Shear rates are kept in single precision.
+TYPED_TEST(PairSumsTwin, ShearFreeViscosityLeavesUniformShearAloneAndStillBrakesContraction) {
+  using Monaghan = PairSums<typename TypeParam::Real, typename TypeParam::Kernel>;
+  using ShearFree =
+      PairSums<typename TypeParam::Real, typename TypeParam::Kernel, Terms::shear_free>;
+  const double of_monaghan = pressure_in_shear<Monaghan>(0.01, 0);
+  EXPECT_GT(of_monaghan, 0);
+  EXPECT_LT(pressure_in_shear<ShearFree>(0.01, 0), 1e-4 * of_monaghan);
+  const double contraction = pressure_in_shear<Monaghan>(0, 0.01);
+  EXPECT_NEAR(pressure_in_shear<ShearFree>(0, 0.01) / contraction, 1, 1e-4);
 }
 
 TYPED_TEST(PairSumsTwin, HeatIsTheEnergyThatViscosityTakes) {
-  using Sums = PairSums<typename TypeParam::Real, typename TypeParam::Kernel, true>;
+  using Sums = PairSums<typename TypeParam::Real, typename TypeParam::Kernel, Terms::all>;
   Particles p = random_particles(600);
   for (auto& T : p.T) T = {};
   double power = 0, heat = 0;

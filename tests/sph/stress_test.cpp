@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "solver/particles/state.hpp"
 #include "solver/sph/kernel.hpp"
 #include "tests/support/particles.hpp"
 
@@ -188,6 +189,20 @@ TEST(StressRate, DoesNotDependOnTheFrame) {
     const SymTensor turned = stress_rate(rotated(S, R), R * g * transpose(R), 2);
     EXPECT_LT(size_of(turned + (-1.0) * rotated(stress_rate(S, g, 2), R)), 1e-13);  // rounding
   }
+}
+
+TEST(Correction, OfDensityAndPressureIsThatOfAFlatSurfaceAndLeavesEdgesAlone) {
+  const SymTensor face{2, 2, 2, 0, 0, 0}, edge{4, 4, 4, 0, 0, 0}, none{1, 1, 1, 0, 0, 0};
+  EXPECT_EQ(moderate(face), face);
+  EXPECT_EQ(moderate(edge), none);
+}
+
+TEST(Density, StaysPositiveHoweverFastItFallsAndIsSmooth) {
+  EXPECT_EQ(changed_density(2700, -10), 2690);
+  EXPECT_EQ(changed_density(2700, 10), 2710);
+  EXPECT_NEAR(changed_density(1000, -500), 500, 1e-9);
+  EXPECT_NEAR(changed_density(1000, -501) - changed_density(1000, -499), -2, 0.02);
+  EXPECT_GT(changed_density(1000, -1e9), 0);
 }
 
 }  // namespace

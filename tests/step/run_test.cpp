@@ -74,7 +74,11 @@ TEST(Run, EveryOptionalLawKeepsItsBitsOverInterruptionsAndThreads) {
        {"numerics", {{"artificial_stress", 0.3}, {"kernel", "wendland-c2"}}},
        {"environment",
         {{"gravity_m_per_s2", {0, 0, -1e-6}},
-         {"walls", {{{"face", "z_low"}, {"at_m", -60}, {"kind", "rough"}}}}}}}};
+         {"walls", {{{"face", "z_low"}, {"at_m", -60}, {"kind", "rough"}}}}}}},
+      {{"numerics", {{"scheme", "shear-free"}}},
+       {"environment", {{"walls", {{{"face", "z_low"}, {"at_m", -60}, {"kind", "rough"}}}}}}},
+      {{"numerics", {{"scheme", "viscosity-50000"}}},
+       {"material", {{"drucker_prager", {{"pressure", "total"}}}}}}};
   for (nlohmann::json changes : laws) {
     changes["end"]["time_s"] = 150;
     const Scene scene = short_impact(changes);
@@ -236,6 +240,34 @@ TEST(Run, ThatFailsLeavesItsLastGoodCheckpointFromWhichItFailsAgainAlike) {
   EXPECT_EQ(second.kind, first.kind);
   EXPECT_EQ(second.step, first.step);
   EXPECT_EQ(second.particle_id, first.particle_id);
+}
+
+TEST(Run, GoesOnUntilNothingWillMeetAndEndsAtTheSameMomentWhenInterrupted) {
+  const Scene scene = short_impact({{"end", {{"time_s", 90}, {"latest_s", 120}}}});
+  RunOptions options;
+  std::vector<double> asked;
+  options.settled = [&](const Snapshot& s) {
+    asked.push_back(s.state.time);
+    return s.state.time > 95;
+  };
+  const TemporaryFolder whole, pieces;
+  EXPECT_NEAR(run_in(whole, scene, options).summary.progress.time, 96, 1e-9);
+  ASSERT_EQ(asked.size(), 3u);  // every thirtieth of the end time
+  EXPECT_NEAR(asked[0], 90, 1e-9);
+  EXPECT_NEAR(asked[2], 96, 1e-9);
+  options.max_steps = 11;
+  while (run_in(pieces, scene, options).summary.end == RunEnd::step_limit) continue;
+  EXPECT_THAT(
+      differences(read_snapshot(pieces / "final.hdf5"), read_snapshot(whole / "final.hdf5")),
+      IsEmpty());
+}
+
+TEST(Run, EndsAtTheLatestTimeWhateverWillMeet) {
+  const Scene scene = short_impact({{"end", {{"time_s", 60}, {"latest_s", 67}}}});
+  RunOptions options;
+  options.settled = [](const Snapshot&) { return false; };
+  const TemporaryFolder folder;
+  EXPECT_NEAR(run_in(folder, scene, options).summary.progress.time, 67, 1e-9);
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eerie {
+
+/// An ensemble at one particle number.
+struct ConvergencePoint {
+  double particles = 0;
+  double mean = 0, deviation = 0;  ///< standard deviation of single runs
+  double low = 0, high = 0;        ///< extremes of the ensemble
+};
+
+/// One quantity against the particle number.
+struct ConvergencePanel {
+  std::string label;                                  ///< of the axis, with unit
+  std::optional<double> published;                    ///< drawn as a dashed line
+  std::vector<std::vector<ConvergencePoint>> series;  ///< as ConvergenceFigure::series
+};
+
+struct ConvergenceFigure {
+  std::string title;
+  std::vector<std::string> series;  ///< names, six at most
+  std::vector<ConvergencePanel> panels;
+};
+
+/// Draws panels below each other, nine centimetres wide: means with standard deviations (thick)
+/// and extremes (thin). The extension decides: .png, .svg, .pdf. Throws InputError (no point at
+/// all, another extension) and EnvironmentError (gnuplot or the disk failed).
+void draw_convergence(const std::filesystem::path& path, const ConvergenceFigure& figure);
+
+/// gnuplot's commands for it, terminal apart.
+std::string convergence_script(const ConvergenceFigure& figure);
+
+}  // namespace eerie

@@ -1,0 +1,123 @@
+#include "campaign/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "campaign/job.hpp"
+#include "campaign/json_file.hpp"
+#include "campaign/scene_field.hpp"
+#include "campaign/study_schema_text.hpp"
+#include "solver/base/error.hpp"
+#include "solver/scene/validate.hpp"
+
+namespace eerie {
+using nlohmann::json;
+
+namespace {
+
+const json& study_schema() {
+  static const json schema = json::parse(study_schema_text);
+  return schema;
+}
+
+std::optional<double> number(const json& object, const char* key) {
+  return object.contains(key) ? std::optional(object[key].get<double>()) : std::nullopt;
+}
+
+Study::Case parse_case(const json& given, const json& shared) {
+  json scene = shared;
+  scene.merge_patch(given["scene"]);
+  const json published = given.value("published", json::object());
+  const std::string name = given["name"];
+  return {name,
+          given.value("title", name),
+          with_integers(std::move(scene)),
+          {number(published, "b_over_a"), number(published, "m_1_over_m_total"),
+           number(published, "period_h")}};
+}
+
+void require_known(const Study::Rung& rung, const std::vector<Study::Case>& cases,
+                   const std::string& where) {
+  for (const std::string& name : rung.cases)
+    if (std::ranges::find(cases, name, &Study::Case::name) == cases.end()) {
+      std::string known;
+      for (const Study::Case& c : cases) known += (known.empty() ? "" : ", ") + c.name;
+      throw InputError(
+          fmt::format("{}: ladder names the case \"{}\"; the cases are {}", where, name, known));
+    }
+}
+
+void require_distinct(const std::vector<Study::Case>& cases, const std::string& where) {
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    for (std::size_t j = i + 1; j < cases.size(); ++j)
+      if (cases[i].name == cases[j].name)
+        throw InputError(fmt::format("{}: two cases have the name \"{}\"; rename one of them",
+                                     where, cases[i].name));
+}
+
+Scene scene_of(const Study& study, const Study::Case& c, const std::string& scheme,
+               std::int64_t particles, std::int64_t seed) {
+  json scene = c.scene;
+  scene["numerics"]["scheme"] = scheme;
+  scene["numerics"]["particles_per_target"] = particles;
+  scene["numerics"]["seed"] = seed;
+  return parse_scene(scene, fmt::format("{}: case {}: scene", study.name, c.name));
+}
+
+}  // namespace
+
+Study parse_study(const json& given, const std::string& where) {
+  require_valid(study_schema(), given, where + ": study");
+  Study study;
+  study.name = given["name"];
+  study.document = given;
+  study.schemes = given.value("schemes", std::vector<std::string>{"dual"});
+  for (const json& c : given["cases"])
+    study.cases.push_back(parse_case(c, given.value("scene", json::object())));
+  require_distinct(study.cases, where);
+  for (const json& r : given["ladder"]) {
+    Study::Rung rung{r["particles_per_target"], r["seeds"],
+                     r.value("cases", std::vector<std::string>{})};
+    require_known(rung, study.cases, where);
+    study.ladder.push_back(std::move(rung));
+  }
+  // Every scene is checked before anything runs.
+  for (const Study::Case& c : study.cases)
+    for (const std::string& scheme : study.schemes)
+      scene_of(study, c, scheme, study.ladder.front().particles_per_target, 1);
+  return study;
+}
+
+Study load_study(const std::filesystem::path& path) {
+  return parse_study(load_json(path), path.string());
+}
+
+std::vector<StudyRun> runs_of(const Study& study) {
+  std::vector<StudyRun> runs;
+  for (const Study::Rung& rung : study.ladder)
+    for (std::int64_t seed = 1; seed <= rung.seeds; ++seed)
+      for (const Study::Case& c : study.cases) {
+        if (!rung.cases.empty() && std::ranges::find(rung.cases, c.name) == rung.cases.end())
+          continue;
+        for (const std::string& scheme : study.schemes)
+          runs.push_back({scheme, c.name, rung.particles_per_target, seed,
+                          scene_of(study, c, scheme, rung.particles_per_target, seed)});
+      }
+  std::ranges::stable_sort(runs, {}, [](const StudyRun& run) {
+    return std::pow(static_cast<double>(run.particles_per_target), 4.0 / 3) *
+           static_cast<double>(run.seed);
+  });
+  return runs;
+}
+
+std::vector<StudyRun> affordable(std::vector<StudyRun> runs, double core_hours, double speed) {
+  double left = core_hours * 3600 * speed;
+  const auto end = std::ranges::find_if(
+      runs, [&](const StudyRun& run) { return (left -= expected_particle_steps(run.scene)) < 0; });
+  runs.erase(end, runs.end());
+  return runs;
+}
+
+}  // namespace eerie

@@ -1,0 +1,176 @@
+#include "campaign/study_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "campaign/job.hpp"
+
+namespace eerie {
+
+namespace {
+
+std::string text(std::optional<double> value) { return value ? fmt::format("{:.6g}", *value) : ""; }
+
+/// Of every column of a run's line.
+constexpr int shown_remnants = 3;
+
+Ensemble over(const std::vector<const StudyResult*>& runs,
+              const std::function<std::optional<double>(const StudyResult&)>& quantity) {
+  std::vector<double> values;
+  for (const StudyResult* run : runs)
+    if (const std::optional<double> value = quantity(*run)) values.push_back(*value);
+  return ensemble(values);
+}
+
+double part(const std::vector<const StudyResult*>& runs,
+            const std::function<bool(const StudyResult&)>& holds) {
+  const auto n = std::ranges::count_if(runs, [&](const StudyResult* run) { return holds(*run); });
+  return static_cast<double>(n) / static_cast<double>(runs.size());
+}
+
+std::string count_classes(const std::vector<const StudyResult*>& runs) {
+  std::map<std::string, int> counts;
+  for (const StudyResult* run : runs) ++counts[run->row.result.outcome_class];
+  std::string text;
+  for (const auto& [name, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", name, count);
+  return text;
+}
+
+StudyCell cell_of(const std::vector<const StudyResult*>& runs) {
+  const StudyRun& first = runs.front()->run;
+  const auto largest = [](auto member) {
+    return [member](const StudyResult& r) -> std::optional<double> {
+      return r.remnants.empty() ? std::nullopt : r.remnants.front().*member;
+    };
+  };
+  return {first.scheme,
+          first.case_name,
+          first.particles_per_target,
+          over(runs, largest(&db::Remnant::b_over_a)),
+          over(runs, largest(&db::Remnant::c_over_a)),
+          over(runs,
+               [](const StudyResult& r) -> std::optional<double> {
+                 return r.remnants.empty() ? 0 : r.remnants.front().mass_over_total;
+               }),
+          over(runs, largest(&db::Remnant::spin_period_h)),
+          over(runs,
+               [](const StudyResult& r) -> std::optional<double> {
+                 return r.row.result.wall_s * r.row.result.threads;
+               }),
+          part(runs, [](const StudyResult& r) { return !r.row.result.settled; }),
+          part(runs, [](const StudyResult& r) { return r.row.result.n_eer > 0; }),
+          count_classes(runs)};
+}
+
+ConvergencePoint point(const StudyCell& cell, const Ensemble& e) {
+  return {static_cast<double>(cell.particles_per_target), e.mean, e.deviation, e.low, e.high};
+}
+
+}  // namespace
+
+std::vector<StudyResult> finished_runs(const db::Connection& connection,
+                                       const std::vector<StudyRun>& runs) {
+  std::map<std::string, db::ResultRow> rows;
+  for (db::ResultRow& row : db::results(connection, {})) rows.emplace(row.hash, std::move(row));
+  std::vector<StudyResult> results;
+  for (const StudyRun& run : runs)
+    if (const auto row = rows.find(scene_hash(run.scene)); row != rows.end())
+      results.push_back({run, row->second, db::remnants(connection, row->second.job)});
+  return results;
+}
+
+std::string runs_csv(const std::vector<StudyResult>& results) {
+  std::string csv =
+      "scheme,case,particles_per_target,seed,class,settled,m_lr_over_m_total,m_slr_over_m_total";
+  for (int k = 1; k <= shown_remnants; ++k)
+    csv += fmt::format(",m_{0}_over_m_total,b_over_a_{0},c_over_a_{0},period_{0}_h", k);
+  csv += ",n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
+  for (const StudyResult& r : results) {
+    const db::Result& x = r.row.result;
+    csv += fmt::format("{},{},{},{},{},{},{:.6g},{:.6g}", r.run.scheme, r.run.case_name,
+                       r.run.particles_per_target, r.run.seed, x.outcome_class, x.settled ? 1 : 0,
+                       x.m_lr_over_m_total, x.m_slr_over_m_total);
+    for (std::size_t k = 0; k < shown_remnants; ++k)
+      if (k < r.remnants.size()) {
+        const db::Remnant& m = r.remnants[k];
+        csv += fmt::format(",{:.6g},{},{},{}", m.mass_over_total, text(m.b_over_a),
+                           text(m.c_over_a), text(m.spin_period_h));
+      } else {
+        csv += ",,,,";
+      }
+    csv += fmt::format(",{},{},{:.6g},{:.4g},{},{}\n", x.n_eer, text(x.dL_over_L), x.particle_steps,
+                       x.wall_s * x.threads, x.solver_version, r.row.hash);
+  }
+  return csv;
+}
+
+Ensemble ensemble(const std::vector<double>& values) {
+  Ensemble e{values.size(), 0, 0, 0, 0};
+  if (values.empty()) return e;
+  const auto n = static_cast<double>(values.size());
+  for (const double value : values) e.mean += value / n;
+  for (const double value : values) e.deviation += (value - e.mean) * (value - e.mean);
+  e.deviation = values.size() > 1 ? std::sqrt(e.deviation / (n - 1)) : 0;
+  const auto [low, high] = std::ranges::minmax(values);
+  e.low = low, e.high = high;
+  return e;
+}
+
+std::vector<StudyCell> cells_of(const Study& study, const std::vector<StudyResult>& results) {
+  std::vector<StudyCell> cells;
+  for (const Study::Case& one : study.cases)
+    for (const std::string& scheme : study.schemes)
+      for (const Study::Rung& rung : study.ladder) {
+        std::vector<const StudyResult*> runs;
+        for (const StudyResult& r : results)
+          if (r.run.case_name == one.name && r.run.scheme == scheme &&
+              r.run.particles_per_target == rung.particles_per_target)
+            runs.push_back(&r);
+        if (!runs.empty()) cells.push_back(cell_of(runs));
+      }
+  return cells;
+}
+
+std::string cells_csv(const std::vector<StudyCell>& cells) {
+  std::string csv = "scheme,case,particles_per_target,runs";
+  for (const char* name : {"b_over_a", "c_over_a", "m_1_over_m_total", "period_h", "core_s"})
+    csv += fmt::format(",{0}_mean,{0}_deviation,{0}_min,{0}_max", name);
+  csv += ",unsettled,p_eer,classes\n";
+  for (const StudyCell& c : cells) {
+    csv += fmt::format("{},{},{},{}", c.scheme, c.case_name, c.particles_per_target, c.m_1.runs);
+    for (const Ensemble* e : {&c.b_over_a, &c.c_over_a, &c.m_1, &c.period_h, &c.core_seconds})
+      csv += e->runs == 0 ? ",,,,"
+                          : fmt::format(",{:.4g},{:.3g},{:.4g},{:.4g}", e->mean, e->deviation,
+                                        e->low, e->high);
+    csv += fmt::format(",{:.3g},{:.3g},{}\n", c.unsettled, c.p_eer, c.classes);
+  }
+  return csv;
+}
+
+std::optional<ConvergenceFigure> figure_of(const Study& study, const Study::Case& one,
+                                           const std::vector<StudyCell>& cells) {
+  ConvergenceFigure figure{one.title,
+                           study.schemes,
+                           {{"b/a", one.published.b_over_a, {}},
+                            {"M_1/M", one.published.m_1_over_m_total, {}},
+                            {"period (h)", one.published.period_h, {}}}};
+  for (ConvergencePanel& panel : figure.panels) panel.series.resize(study.schemes.size());
+  bool any = false;
+  for (std::size_t s = 0; s < study.schemes.size(); ++s)
+    for (const StudyCell& cell : cells) {
+      if (cell.case_name != one.name || cell.scheme != study.schemes[s]) continue;
+      any = true;
+      const Ensemble* quantities[] = {&cell.b_over_a, &cell.m_1, &cell.period_h};
+      for (std::size_t p = 0; p < figure.panels.size(); ++p)
+        if (quantities[p]->runs > 0)
+          figure.panels[p].series[s].push_back(point(cell, *quantities[p]));
+    }
+  if (!any) return {};
+  return figure;
+}
+
+}  // namespace eerie

@@ -1,0 +1,138 @@
+#include "campaign/study.hpp"
+
+#include <gmock/gmock.h>
+
+#include "campaign/job.hpp"
+#include "campaign/study_results.hpp"
+#include "solver/base/error.hpp"
+
+namespace eerie {
+namespace {
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+json small_study() {
+  return {{"name", "small"},
+          {"scene", {{"end", {{"time_s", 100}}}, {"impact", {{"v_imp_cm_per_s", 18}}}}},
+          {"schemes", {"dual", "shear-free"}},
+          {"cases",
+           {{{"name", "slow"}, {"scene", {{"impact", {{"theta_imp_deg", 10}}}}}},
+            {{"name", "fast"},
+             {"scene", {{"impact", {{"v_imp_cm_per_s", 24}}}}},
+             {"published", {{"b_over_a", 0.27}}}}}},
+          {"ladder",
+           {{{"particles_per_target", 300}, {"seeds", 4}},
+            {{"particles_per_target", 600}, {"seeds", 2}, {"cases", {"fast"}}}}}};
+}
+
+std::string complaint(const json& study) {
+  try {
+    parse_study(study, "study.json");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Study, GivesEveryCaseTheScenesFieldsAndItsOwnOnTop) {
+  const Study study = parse_study(small_study(), "study.json");
+  for (const StudyRun& run : runs_of(study)) {
+    EXPECT_EQ(run.scene.impact.v_imp_cm_per_s, run.case_name == "fast" ? 24 : 18);
+    EXPECT_EQ(run.scene.impact.theta_imp_deg, run.case_name == "fast" ? 15 : 10);
+    EXPECT_EQ(run.scene.numerics.scheme, run.scheme);
+    EXPECT_EQ(run.scene.numerics.seed, run.seed);
+  }
+  EXPECT_EQ(study.cases[1].published.b_over_a, 0.27);
+  EXPECT_EQ(study.cases[0].published.b_over_a, std::nullopt);
+}
+
+TEST(Study, RunsWhatIsWorthMostForItsCostFirst) {
+  const auto runs = runs_of(parse_study(small_study(), "study.json"));
+  ASSERT_EQ(runs.size(), 4u * 2 * 2 + 2u * 1 * 2);
+  std::vector<std::pair<std::int64_t, std::int64_t>> order;  // particles and seed
+  for (const StudyRun& run : runs)
+    if (order.empty() || order.back() != std::pair(run.particles_per_target, run.seed))
+      order.emplace_back(run.particles_per_target, run.seed);
+  // 2^(4/3) = 2.5: the first seed of the dear rung comes between the second and third of the cheap.
+  EXPECT_THAT(order, ElementsAre(std::pair(300, 1), std::pair(300, 2), std::pair(600, 1),
+                                 std::pair(300, 3), std::pair(300, 4), std::pair(600, 2)));
+}
+
+TEST(Study, SpendsNoMoreThanItsBudget) {
+  const auto runs = runs_of(parse_study(small_study(), "study.json"));
+  const double first_two =
+      expected_particle_steps(runs[0].scene) + expected_particle_steps(runs[1].scene);
+  constexpr double speed = 1e6;
+  EXPECT_EQ(affordable(runs, 1.001 * first_two / speed / 3600, speed).size(), 2u);
+  EXPECT_EQ(affordable(runs, 0.999 * first_two / speed / 3600, speed).size(), 1u);
+  EXPECT_EQ(affordable(runs, 1e6, speed).size(), runs.size());
+}
+
+TEST(Study, ComplaintsNameTheFieldAndTheMend) {
+  json study = small_study();
+  study["ladder"][1]["cases"] = {"quick"};
+  EXPECT_THAT(complaint(study), HasSubstr("\"quick\"; the cases are slow, fast"));
+  study = small_study();
+  study["cases"][1]["name"] = "slow";
+  EXPECT_THAT(complaint(study), HasSubstr("two cases have the name \"slow\""));
+  study = small_study();
+  study["schemes"] = {"dual", "godunov"};
+  EXPECT_THAT(complaint(study), HasSubstr("numerics.scheme"));
+  study = small_study();
+  study["cases"][0]["scene"]["impact"]["q"] = 3;
+  EXPECT_THAT(complaint(study), HasSubstr("case slow: scene.impact.q = 3"));
+  study = small_study();
+  study.erase("ladder");
+  EXPECT_THAT(complaint(study), HasSubstr("ladder"));
+  study = small_study();
+  study["ladder"][0]["seeds"] = 0;
+  EXPECT_THAT(complaint(study), HasSubstr("seeds"));
+}
+
+TEST(Ensemble, HasMeanDeviationAndExtremes) {
+  const Ensemble e = ensemble({1, 2, 6});
+  EXPECT_EQ(e.runs, 3u);
+  EXPECT_NEAR(e.mean, 3, 1e-12);
+  EXPECT_NEAR(e.deviation, std::sqrt(7.0), 1e-12);  // (4 + 1 + 9)/2
+  EXPECT_EQ(e.low, 1);
+  EXPECT_EQ(e.high, 6);
+  EXPECT_EQ(ensemble({5}).deviation, 0);
+  EXPECT_EQ(ensemble({}).runs, 0u);
+}
+
+/// A result of `run` with one remnant.
+StudyResult result(const StudyRun& run, double b_over_a) {
+  StudyResult r{run, {}, {{.rank = 1, .mass_over_total = 0.9, .b_over_a = b_over_a}}};
+  r.row.result.outcome_class = b_over_a < 0.3 ? "perfect-merging" : "hit-and-run";
+  r.row.result.n_eer = b_over_a < 0.3 ? 1 : 0;
+  r.row.result.settled = true;
+  return r;
+}
+
+TEST(StudyCells, CollectSeedsOfOneSchemeCaseAndParticleNumber) {
+  const Study study = parse_study(small_study(), "study.json");
+  std::vector<StudyResult> results;
+  for (const StudyRun& run : runs_of(study))
+    if (run.scheme == "dual" && run.case_name == "fast" && run.particles_per_target == 300)
+      results.push_back(result(run, 0.2 + 0.05 * static_cast<double>(run.seed)));
+  const auto cells = cells_of(study, results);
+  ASSERT_EQ(cells.size(), 1u);
+  EXPECT_EQ(cells[0].b_over_a.runs, 4u);
+  EXPECT_NEAR(cells[0].b_over_a.mean, 0.325, 1e-12);
+  EXPECT_EQ(cells[0].period_h.runs, 0u);  // none spins
+  EXPECT_NEAR(cells[0].p_eer, 0.25, 1e-12);
+  EXPECT_EQ(cells[0].classes, "hit-and-run 3; perfect-merging 1");
+  EXPECT_THAT(cells_csv(cells), HasSubstr("dual,fast,300,4,0.325,"));
+  EXPECT_THAT(runs_csv(results), HasSubstr("dual,fast,300,1,perfect-merging,1,"));
+
+  const auto figure = figure_of(study, study.cases[1], cells);
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->panels[0].published, 0.27);
+  ASSERT_EQ(figure->panels[0].series[0].size(), 1u);
+  EXPECT_NEAR(figure->panels[0].series[0][0].high, 0.4, 1e-12);
+  EXPECT_FALSE(figure_of(study, study.cases[0], cells));
+}
+
+}  // namespace
+}  // namespace eerie
