@@ -39,8 +39,10 @@ std::string data_blocks(const ConvergenceFigure& figure) {
     for (std::size_t s = 0; s < figure.series.size(); ++s) {
       text += block_name(p, s) + " << EOD\n";
       for (const ConvergencePoint& x : figure.panels[p].series[s])
-        text += fmt::format("{} {} {} {} {}\n", beside(x.particles, s, figure.series.size()),
-                            x.mean, x.deviation, x.low, x.high);
+        text += figure.over_time
+                    ? fmt::format("{} {}\n", x.at, x.mean)
+                    : fmt::format("{} {} {} {} {}\n", beside(x.at, s, figure.series.size()), x.mean,
+                                  x.deviation, x.low, x.high);
       text += "EOD\n";
     }
   return text;
@@ -60,71 +62,96 @@ struct Extent {
   double span() const { return high - low; }
 };
 
-std::string panel_commands(const ConvergenceFigure& figure, std::size_t p, double height_pt,
-                           const Extent& particles) {
-  const ConvergencePanel& panel = figure.panels[p];
-  const bool last = p + 1 == figure.panels.size();
-  const double top = height_pt - top_pt - static_cast<double>(p) * panel_pt;
+/// The values that a panel shows, with some air.
+std::string value_range(const ConvergencePanel& panel) {
   Extent values;
   for (const auto& series : panel.series)
     for (const ConvergencePoint& x : series) {
+      if (panel.logarithmic && x.mean <= 0) continue;
       values.include(std::min(x.low, x.mean - x.deviation));
       values.include(std::max(x.high, x.mean + x.deviation));
     }
   if (panel.published) values.include(*panel.published);
+  if (panel.logarithmic)
+    return values.high > 0 ? fmt::format(
+                                 "set logscale y\nset format y '10^{{%T}}'\nset yrange "
+                                 "[{}:{}]\n",
+                                 values.low / 1.5, values.high * 1.5)
+                           : "unset logscale y\nset yrange [0:1]\n";
   const double margin = std::max(0.12 * values.span(), 0.05 * std::abs(values.high));
+  return fmt::format("unset logscale y\nset format y '%g'\nset yrange [{}:{}]\n",
+                     std::max(0.0, values.low - margin), values.high + margin);
+}
+
+/// gnuplot's curves of one series.
+std::string curve(const std::string& block, std::size_t s, bool over_time,
+                  const std::string& title) {
+  if (over_time)
+    return fmt::format("{} using 1:2 with lines lw 1 lc rgb '{}' {}", block, colours[s], title);
+  return fmt::format(
+      "{0} using 1:2:4:5 with yerrorbars pt {2} ps 0.01 lw 0.5 lc rgb '{1}' notitle, "
+      "{0} using 1:2:3 with yerrorbars pt {2} ps 0.45 lw 1.2 lc rgb '{1}' notitle, "
+      "{0} using 1:2 with linespoints pt {2} ps 0.45 lw 0.8 lc rgb '{1}' {3}",
+      block, colours[s], marks[s], title);
+}
+
+std::string panel_commands(const ConvergenceFigure& figure, std::size_t p, double height_pt) {
+  const ConvergencePanel& panel = figure.panels[p];
+  const bool first = p == 0, last = p + 1 == figure.panels.size();
+  const double top = height_pt - top_pt - static_cast<double>(p) * panel_pt;
   std::string text = fmt::format(
-      "set tmargin at screen {}\nset bmargin at screen {}\nset yrange [{}:{}]\n"
-      "set ylabel '{}' offset 0.8,0\n",
-      top / height_pt, (top - panel_pt + 8) / height_pt, std::max(0.0, values.low - margin),
-      values.high + margin, panel.label);
-  text += ticks(last);
-  text += last ? "set xlabel 'particles per target' offset 0,0.6\n" : "unset xlabel\n";
+      "set tmargin at screen {}\nset bmargin at screen {}\nset ylabel '{}' offset "
+      "0.8,0\n",
+      top / height_pt, (top - panel_pt + 8) / height_pt, panel.label);
+  text += value_range(panel);
+  text += figure.over_time ? fmt::format("set format x '{}'\n", last ? "%g" : "") : ticks(last);
+  text += last ? fmt::format("set xlabel '{}' offset 0,0.6\n",
+                             figure.over_time ? "time (1,000 s)" : "particles per target")
+               : "unset xlabel\n";
   std::string curves;
+  const auto add = [&](const std::string& more) { curves += (curves.empty() ? "" : ", ") + more; };
   if (panel.published)
-    curves += fmt::format("{} with lines dt 2 lw 1 lc rgb '#555555' {}", *panel.published,
-                          p == 0 ? "title 'published'" : "notitle");
-  for (std::size_t s = 0; s < figure.series.size(); ++s) {
-    if (panel.series[s].empty()) continue;
-    const std::string block = block_name(p, s);
-    curves += fmt::format(
-        "{0}{1} using 1:2:4:5 with yerrorbars pt {3} ps 0.01 lw 0.5 lc rgb '{2}' notitle, "
-        "{1} using 1:2:3 with yerrorbars pt {3} ps 0.45 lw 1.2 lc rgb '{2}' notitle, "
-        "{1} using 1:2 with linespoints pt {3} ps 0.45 lw 0.8 lc rgb '{2}' {4}",
-        curves.empty() ? "" : ", ", block, colours[s], marks[s],
-        p == 0 ? fmt::format("title '{}'", figure.series[s]) : "notitle");
-  }
-  return text + fmt::format("set xrange [{}:{}]\nplot {}\n", particles.low / 1.4,
-                            particles.high * 1.4, curves);
+    add(fmt::format("{} with lines dt 2 lw 1 lc rgb '#555555' {}", *panel.published,
+                    first ? "title 'published'" : "notitle"));
+  for (std::size_t s = 0; s < figure.series.size(); ++s)
+    if (!panel.series[s].empty())
+      add(curve(block_name(p, s), s, figure.over_time,
+                first ? fmt::format("title '{}'", figure.series[s]) : "notitle"));
+  return curves.empty() ? "" : text + "plot " + curves + "\n";
+}
+
+double height_of(const ConvergenceFigure& figure) {
+  return top_pt + bottom_pt + panel_pt * static_cast<double>(figure.panels.size());
 }
 
 }  // namespace
 
 std::string convergence_script(const ConvergenceFigure& figure) {
-  Extent particles;
+  Extent abscissa;
   for (const ConvergencePanel& panel : figure.panels)
     for (const auto& series : panel.series)
-      for (const ConvergencePoint& x : series) particles.include(x.particles);
-  if (!(particles.high > 0))
+      for (const ConvergencePoint& x : series) abscissa.include(x.at);
+  if (!(abscissa.high > 0))
     throw InputError(fmt::format("{}: there is no result to draw", figure.title));
-  const double height = top_pt + bottom_pt + panel_pt * static_cast<double>(figure.panels.size());
+  const double height = height_of(figure);
   std::string text = data_blocks(figure);
+  text += figure.over_time ? fmt::format("set xrange [0:{}]\n", abscissa.high)
+                           : fmt::format("set logscale x\nset xrange [{}:{}]\n", abscissa.low / 1.4,
+                                         abscissa.high * 1.4);
   text += fmt::format(
-      "set encoding utf8\nset border lw 0.5\nset logscale x\nset bars 0.4\nset pointintervalbox "
-      "0\nset tics scale 0.5\n"
-      "set lmargin at screen {}\nset rmargin at screen {}\n"
+      "set encoding utf8\nset border lw 0.5\nset bars 0.4\nset pointintervalbox 0\n"
+      "set tics scale 0.5\nset lmargin at screen {}\nset rmargin at screen {}\n"
       "set key at screen 0.99,{} top right maxrows 2 samplen 2 font ',6'\n"
       "set label 1 '{}' at screen {},{} left font ',7'\nset multiplot\n",
       34 / width_pt, 1 - 10 / width_pt, 1 - 12 / height, figure.title, 6 / width_pt,
       1 - 7 / height);
-  for (std::size_t p = 0; p < figure.panels.size(); ++p)
-    text += panel_commands(figure, p, height, particles);
+  for (std::size_t p = 0; p < figure.panels.size(); ++p) text += panel_commands(figure, p, height);
   return text + "unset multiplot\n";
 }
 
 void draw_convergence(const std::filesystem::path& path, const ConvergenceFigure& figure) {
-  const double height = top_pt + bottom_pt + panel_pt * static_cast<double>(figure.panels.size());
-  run_gnuplot(gnuplot_terminal(path, width_pt, height) + convergence_script(figure), path);
+  run_gnuplot(gnuplot_terminal(path, width_pt, height_of(figure)) + convergence_script(figure),
+              path);
 }
 
 }  // namespace eerie

@@ -7,24 +7,26 @@
 
 namespace eerie {
 
-/// An ensemble at one particle number.
+/// An ensemble at one particle number, or one run at one time.
 struct ConvergencePoint {
-  double particles = 0;
+  double at = 0;                   ///< particle number, or time in 1,000 s
   double mean = 0, deviation = 0;  ///< standard deviation of single runs
   double low = 0, high = 0;        ///< extremes of the ensemble
 };
 
-/// One quantity against the particle number.
+/// One quantity against particle number or time.
 struct ConvergencePanel {
   std::string label;                                  ///< of the axis, with unit
   std::optional<double> published;                    ///< drawn as a dashed line
   std::vector<std::vector<ConvergencePoint>> series;  ///< as ConvergenceFigure::series
+  bool logarithmic = false;                           ///< its values; 0 and less are left out
 };
 
 struct ConvergenceFigure {
   std::string title;
   std::vector<std::string> series;  ///< names, six at most
   std::vector<ConvergencePanel> panels;
+  bool over_time = false;  ///< curves of single runs in place of ensembles
 };
 
 /// Draws panels below each other, nine centimetres wide: means with standard deviations (thick)

@@ -51,4 +51,10 @@ std::string cells_csv(const std::vector<StudyCell>& cells);
 std::optional<ConvergenceFigure> figure_of(const Study& study, const Study::Case& one,
                                            const std::vector<StudyCell>& cells);
 
+/// What carries the rubble over time, by scheme: the run of the most particles, seed 1; nothing
+/// where no history of the case says it.
+std::optional<ConvergenceFigure> diagnosis_figure(const Study& study, const Study::Case& one,
+                                                  const std::vector<StudyResult>& results,
+                                                  const std::filesystem::path& database);
+
 }  // namespace eerie

@@ -23,6 +23,7 @@
 #include "solver/base/file.hpp"
 #include "solver/base/simd.hpp"
 #include "solver/scene/guards.hpp"
+#include "solver/step/diagnosis.hpp"
 
 namespace eerie {
 namespace fs = std::filesystem;
@@ -54,6 +55,22 @@ class ProgressWriter {
   JobDirectory directory_;
   std::chrono::steady_clock::time_point last_{};
 };
+
+/// Everything that a row of the history says of a state.
+HistoryRow full_row(const Snapshot& snapshot, const Totals& start) {
+  HistoryRow row = history_row(snapshot.state.time, analyse(snapshot));
+  const Totals t = totals(snapshot.scene, snapshot.state);
+  row.kinetic_energy_J = t.kinetic_energy, row.potential_energy_J = t.potential_energy;
+  row.internal_energy_J = t.internal_energy, row.viscous_heat_J = t.viscous_heat;
+  row.friction_heat_J = t.friction_heat, row.shear_energy_J = t.shear_energy;
+  const double L = norm(start.angular_momentum);
+  if (L > 0) row.dL_over_L = norm(t.angular_momentum - start.angular_momentum) / L;
+  const Diagnosis d = diagnose(snapshot);
+  row.eos_pressure_Pa = d.eos_pressure, row.viscous_pressure_Pa = d.viscous_pressure;
+  row.pressureless = d.pressureless, row.density_kg_per_m3 = d.density;
+  row.summed_density_kg_per_m3 = d.summed_density, row.density_error = d.density_error;
+  return row;
+}
 
 int run_job(const JobDirectory& directory, int threads) {
   const Scene scene = parse_scene(load_json(directory.scene()), directory.scene().string());
@@ -95,8 +112,8 @@ Computed compute(const Scene& scene, const fs::path& directory, int threads, lon
   options.threads = threads;
   options.max_steps = max_steps;
   options.on_progress = on_progress;
-  options.on_history = [&](const Snapshot& snapshot) {
-    history.add(snapshot.state.time, analyse(snapshot));
+  options.on_history = [&](const Snapshot& snapshot, const Totals& start) {
+    history.add(full_row(snapshot, start));
   };
   options.settled = [](const Snapshot& snapshot) {
     return !will_meet(find_remnants(snapshot.state).remnants);

@@ -59,15 +59,20 @@ std::string table_of(const std::vector<StudyCell>& cells) {
 }
 
 std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResult>& results,
-                                const std::vector<StudyCell>& cells, const fs::path& folder) {
+                                const std::vector<StudyCell>& cells, const fs::path& folder,
+                                const fs::path& database) {
   std::vector<fs::path> files = {folder / "runs.csv", folder / "convergence.csv"};
   install_text(files[0], runs_csv(results));
   install_text(files[1], cells_csv(cells));
-  for (const Study::Case& one : study.cases)
-    if (const auto figure = figure_of(study, one, cells)) {
-      files.push_back(folder / fmt::format("{}.svg", one.name));
-      draw_convergence(files.back(), *figure);
-    }
+  const auto draw = [&](const std::string& name, const std::optional<ConvergenceFigure>& figure) {
+    if (!figure) return;
+    files.push_back(folder / (name + ".svg"));
+    draw_convergence(files.back(), *figure);
+  };
+  for (const Study::Case& one : study.cases) {
+    draw(one.name, figure_of(study, one, cells));
+    draw(one.name + "-diagnosis", diagnosis_figure(study, one, results, database));
+  }
   return files;
 }
 
@@ -100,7 +105,7 @@ int converge(const ConvergeArguments& a) {
         "{}: the database {} has no result of this study{}", a.study.string(), a.database.string(),
         a.core_hours > 0 ? " and the budget is too small for its first run; raise --budget" : ""));
   const std::vector<StudyCell> cells = cells_of(study, results);
-  const std::vector<fs::path> files = write_all(study, results, cells, a.folder);
+  const std::vector<fs::path> files = write_all(study, results, cells, a.folder, a.database);
   if (a.json) {
     json names = json::array();
     for (const fs::path& file : files) names.push_back(file.string());

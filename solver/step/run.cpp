@@ -201,7 +201,7 @@ class Run {
     if (snapshots_.due(time) && !may_end) write_snapshot(numbered(snapshots_.count()), snapshot());
     if (histories_.due(time)) {
       last_good_ = checkpoint();
-      if (options_.on_history) options_.on_history(snapshot());
+      if (options_.on_history) options_.on_history(snapshot(), first_totals_);
     }
     if (seconds_since(last_checkpoint_) >= scene_.output.checkpoint_interval_s) {
       write_snapshot(options_.directory / checkpoint_file, checkpoint());

@@ -39,7 +39,8 @@ struct RunOptions {
   int threads = 1;
   long max_steps = 0;  ///< of this process, rounded up to whole cycles; 0: until the end time
   std::function<void(const Progress&)> on_progress;  ///< after every cycle of steps; must be cheap
-  std::function<void(const Snapshot&)> on_history;   ///< every output.history_interval_s
+  /// Every output.history_interval_s, with the totals at time 0.
+  std::function<void(const Snapshot&, const Totals& first)> on_history;
   /// Whether nothing will meet any more; asked from end.time_s on where end.latest_s is later.
   std::function<bool(const Snapshot&)> settled;
   std::function<bool()> stop;  ///< asked after every cycle; true: checkpoint and return

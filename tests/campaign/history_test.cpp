@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/base/file.hpp"
 #include "tests/campaign/job_files.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
@@ -13,23 +14,48 @@ TEST(History, GoesOnWhereAnEarlierAttemptStopped) {
   const Analysis analysis = test::sample_analysis();
   {
     History first(folder / "history.csv");
-    for (const double time : {500.0, 1000.0, 1500.0}) first.add(time, analysis);
+    for (const double time : {500.0, 1000.0, 1500.0}) first.add(history_row(time, analysis));
   }
   // The checkpoint was older than the last row: the run comes by 1500 s once more.
   History second(folder / "history.csv");
-  second.add(1500, analysis);
-  second.add(2000, analysis);
+  second.add(history_row(1500, analysis));
+  HistoryRow last = history_row(2000, analysis);
+  double number = 0.1;  // every column of its own
+  visit_columns(last, [&](const char*, auto& value) {
+    if constexpr (std::is_same_v<decltype(value), double&>)
+      if (&value != &last.time_s && &value != &last.b_over_a) value = (number += 1.0 / 7);
+  });
+  second.add(last);
   const History read_back(folder / "history.csv");
   ASSERT_EQ(read_back.rows().size(), 4u);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(read_back.rows()[i].time_s, 500.0 * static_cast<double>(i + 1));
   EXPECT_DOUBLE_EQ(read_back.rows()[3].b_over_a, 0.24);
   EXPECT_EQ(read_back.rows()[3].n_remnants, 2);
+  std::vector<double> written, read;
+  visit_columns(last, [&](const char*, auto& value) { written.push_back(value); });
+  HistoryRow same = read_back.rows()[3];
+  visit_columns(same, [&](const char*, auto& value) { read.push_back(value); });
+  EXPECT_EQ(read, written);
+}
+
+TEST(History, LeavesOutALineThatWasCutOff) {
+  const test::TemporaryFolder folder;
+  History history(folder / "history.csv");
+  for (const double time : {500.0, 1000.0}) history.add(history_row(time, test::sample_analysis()));
+  const std::string text = read_file(folder / "history.csv");
+  install_text(folder / "torn.csv", text.substr(0, text.size() - 20));
+  EXPECT_EQ(read_history(folder / "torn.csv").size(), 1u);
+  EXPECT_TRUE(read_history(folder / "missing.csv").empty());
 }
 
 std::vector<HistoryRow> rows_of(const std::vector<std::pair<double, double>>& masses) {
   std::vector<HistoryRow> rows;
-  for (const auto& [first, second] : masses) rows.push_back({0, 2, first, second, 1, 1});
+  for (const auto& [first, second] : masses) {
+    HistoryRow row;
+    row.n_remnants = 2, row.m_1_over_m_total = first, row.m_2_over_m_total = second;
+    rows.push_back(row);
+  }
   return rows;
 }
 
