@@ -7,6 +7,7 @@
 
 #include "campaign/job.hpp"
 #include "campaign/json_file.hpp"
+#include "campaign/plain_name.hpp"
 #include "campaign/scene_field.hpp"
 #include "campaign/study_schema_text.hpp"
 #include "solver/base/error.hpp"
@@ -19,6 +20,17 @@ namespace {
 
 const json& study_schema() {
   static const json schema = json::parse(study_schema_text);
+  return schema;
+}
+
+/// The schema without the patterns of names: require_plain_name() has better words for them.
+const json& outline() {
+  static const json schema = [] {
+    json s = study_schema();
+    s["properties"]["name"] = {{"type", "string"}};
+    s["properties"]["cases"]["items"]["properties"]["name"] = {{"type", "string"}};
+    return s;
+  }();
   return schema;
 }
 
@@ -63,16 +75,20 @@ Scene scene_of(const Study& study, const Study::Case& c, const std::string& sche
   scene["numerics"]["scheme"] = scheme;
   scene["numerics"]["particles_per_target"] = particles;
   scene["numerics"]["seed"] = seed;
-  return parse_scene(scene, fmt::format("{}: case {}: scene", study.name, c.name));
+  return parse_scene(scene, fmt::format("{}: case {}: scene", study.where, c.name));
 }
 
 }  // namespace
 
 Study parse_study(const json& given, const std::string& where) {
-  require_valid(study_schema(), given, where + ": study");
+  require_valid(outline(), given, where + ": study");
+  require_plain_name(given["name"], where + ": name", "convergence");
+  for (const json& c : given["cases"])
+    require_plain_name(c["name"], where + ": the name of a case", "fast-15");
   Study study;
   study.name = given["name"];
   study.document = given;
+  study.where = where;
   study.schemes = given.value("schemes", std::vector<std::string>{"dual"});
   for (const json& c : given["cases"])
     study.cases.push_back(parse_case(c, given.value("scene", json::object())));

@@ -31,6 +31,7 @@ struct Study {
   std::vector<Case> cases;
   std::vector<Rung> ladder;
   nlohmann::json document;  ///< as given, for the database
+  std::string where;        ///< file name, for messages
 };
 
 /// Throws InputError naming path, value, allowed range and mend.

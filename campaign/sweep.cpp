@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "campaign/json_file.hpp"
+#include "campaign/plain_name.hpp"
 #include "campaign/sweep_schema_text.hpp"
 #include "solver/base/error.hpp"
 #include "solver/scene/validate.hpp"
@@ -26,21 +26,6 @@ json outline() {
   schema["properties"]["grid"] = {{"type", "object"}};
   schema["properties"]["name"] = {{"type", "string"}};
   return schema;
-}
-
-/// The name becomes part of file names.
-void require_plain_name(const std::string& name, const std::string& where) {
-  const bool plain = !name.empty() && name.size() <= 64 && name.front() != '.' &&
-                     name.front() != '-' &&
-                     std::all_of(name.begin(), name.end(), [](unsigned char c) {
-                       return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
-                     });
-  if (!plain)
-    throw InputError(
-        fmt::format("{}: name = {}: must be 1 to 64 letters, digits, '-', '_' or '.', starting "
-                    "with a letter or "
-                    "digit; for example \"first-light\"",
-                    where, json(name).dump(-1, ' ', false, json::error_handler_t::replace)));
 }
 
 void require_not_both(const Sweep& sweep, const Axis& axis) {
@@ -71,7 +56,7 @@ Sweep parse_sweep(const json& given, const std::vector<std::string>& overrides,
                   const std::string& where) {
   require_valid(outline(), given, where + ": sweep");
   Sweep sweep{given["name"], with_integers(given.value("scene", json::object())), {}, where};
-  require_plain_name(sweep.name, where);
+  require_plain_name(sweep.name, where + ": name", "first-light");
   require_valid(scene_schema(), sweep.scene, where + ": scene");
   apply_overrides(sweep.scene, overrides);
   if (given["grid"].empty())

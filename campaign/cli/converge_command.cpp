@@ -76,34 +76,39 @@ std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResul
   return files;
 }
 
+/// Runs what the budget pays and is not done yet.
+Tally run_study(const Study& study, const ConvergeArguments& a) {
+  catch_stop_signals();
+  hold_signals();
+  make_folder_of(a.database);
+  const db::Lock lock(a.database);
+  db::Connection connection(a.database, db::Access::write);
+  const std::vector<StudyRun> runs = chosen_runs(study, a, connection);
+  if (runs.empty())
+    throw InputError(
+        fmt::format("--budget = {:g}: does not pay for the first run; raise it", a.core_hours));
+  const db::AddedSweep added =
+      db::add_sweep(connection, study.name, study.document.dump(), jobs_of_runs(runs));
+  const std::size_t left = tally(connection, added.sweep).left;
+  if (!a.json) {
+    fmt::print("{}: {} runs within the budget, {} to run\n", study.name, runs.size(), left);
+    std::fflush(stdout);
+  }
+  if (left > 0) work(connection, {a.workers, a.threads_per_job, a.json}, added.sweep);
+  return tally(connection, added.sweep);
+}
+
 }  // namespace
 
 int converge(const ConvergeArguments& a) {
   const Study study = load_study(a.study);
-  catch_stop_signals();
-  hold_signals();
-  make_folder_of(a.database);
-  make_folder_of(a.folder / "runs.csv");
-  const db::Lock lock(a.database);
-  db::Connection connection(a.database, db::Access::write);
-  const std::vector<StudyRun> runs = chosen_runs(study, a, connection);
-  const std::vector<db::NewJob> jobs = jobs_of_runs(runs);
-  Tally left;
-  if (!a.draw_only && !jobs.empty()) {
-    const db::AddedSweep added = db::add_sweep(connection, study.name, study.document.dump(), jobs);
-    left = tally(connection, added.sweep);
-    if (!a.json) {
-      fmt::print("{}: {} runs within the budget, {} to run\n", study.name, runs.size(), left.left);
-      std::fflush(stdout);
-    }
-    if (left.left > 0) work(connection, {a.workers, a.threads_per_job, a.json}, added.sweep);
-    left = tally(connection, added.sweep);
-  }
+  const Tally left = a.draw_only ? Tally{} : run_study(study, a);
+  const db::Connection connection(a.database, db::Access::read);
   const std::vector<StudyResult> results = finished_runs(connection, runs_of(study));
   if (results.empty())
-    throw InputError(fmt::format(
-        "{}: the database {} has no result of this study{}", a.study.string(), a.database.string(),
-        a.core_hours > 0 ? " and the budget is too small for its first run; raise --budget" : ""));
+    throw InputError(fmt::format("{}: the database {} has no result of this study",
+                                 a.study.string(), a.database.string()));
+  make_folder_of(a.folder / "runs.csv");
   const std::vector<StudyCell> cells = cells_of(study, results);
   const std::vector<fs::path> files = write_all(study, results, cells, a.folder, a.database);
   if (a.json) {

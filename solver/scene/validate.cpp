@@ -48,11 +48,13 @@ std::string field_names(const json& node) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// "3 entries" or "at most 6 entries".
+/// "3 entries", "1 to 6 entries" or "at most 6 entries".
 std::string length_allowed(const json& schema) {
   const std::size_t least = schema.value("minItems", std::size_t{0}),
                     most = schema.value("maxItems", std::size_t{1000});
-  return fmt::format("{}{} entries", least == most ? "" : "at most ", most);
+  if (least == most) return fmt::format("{} entries", most);
+  return least == 0 ? fmt::format("at most {} entries", most)
+                    : fmt::format("{} to {} entries", least, most);
 }
 
 /// Walks document and schema together; returns the first fault as a sentence, or "".

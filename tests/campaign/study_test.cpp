@@ -83,6 +83,12 @@ TEST(Study, ComplaintsNameTheFieldAndTheMend) {
   study["cases"][0]["scene"]["impact"]["q"] = 3;
   EXPECT_THAT(complaint(study), HasSubstr("case slow: scene.impact.q = 3"));
   study = small_study();
+  study["cases"][0]["name"] = "../slow";
+  EXPECT_THAT(complaint(study), HasSubstr("case = \"../slow\": must be 1 to 64 letters"));
+  study = small_study();
+  study["cases"] = json::array();
+  EXPECT_THAT(complaint(study), HasSubstr("must have 1 to 100 entries"));
+  study = small_study();
   study.erase("ladder");
   EXPECT_THAT(complaint(study), HasSubstr("ladder"));
   study = small_study();

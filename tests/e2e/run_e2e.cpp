@@ -157,7 +157,7 @@ TEST_F(Run, SpeaksJsonEverywhere) {
   EXPECT_GT(solved.at("run").at("particle_steps_per_core_second").get<double>(), 0);
 }
 
-TEST_F(Run, StudiesConvergenceWithinItsBudgetAndGoesOnWithALargerOne) {
+TEST_F(Run, StudiesConvergenceAndHasNothingLeftToDoAfterwards) {
   install_text(folder / "study.json", R"({
     "name": "tiny", "schemes": ["dual", "shear-free"],
     "scene": {"end": {"time_s": 300}},
@@ -165,9 +165,9 @@ TEST_F(Run, StudiesConvergenceWithinItsBudgetAndGoesOnWithALargerOne) {
     "ladder": [{"particles_per_target": 200, "seeds": 2}, {"particles_per_target": 300, "seeds": 1}]})");
   const std::vector<std::string> command = {"converge", "study.json", "--workers",
                                             "2",        "-o",         "out"};
-  const Ended too_little = eerie({"converge", "study.json", "--draw-only", "-o", "out"});
-  EXPECT_EQ(too_little.code, 2);
-  EXPECT_THAT(too_little.err, HasSubstr("has no result of this study"));
+  const Ended nothing_there = eerie({"converge", "study.json", "--draw-only", "-o", "out"});
+  EXPECT_EQ(nothing_there.code, 3);
+  EXPECT_THAT(nothing_there.err, HasSubstr("eerie.sqlite"));
   const Ended all = eerie(command);
   ASSERT_EQ(all.code, 0) << all.err;
   EXPECT_THAT(all.out, HasSubstr("6 results"));
