@@ -99,10 +99,13 @@ std::string panel_commands(const ConvergenceFigure& figure, std::size_t p, doubl
   const ConvergencePanel& panel = figure.panels[p];
   const bool first = p == 0, last = p + 1 == figure.panels.size();
   const double top = height_pt - top_pt - static_cast<double>(p) * panel_pt;
+  const double bottom = top - panel_pt + 8;
+  // The axis' name as a label: gnuplot would move it with the width of the tick marks.
   std::string text = fmt::format(
-      "set tmargin at screen {}\nset bmargin at screen {}\nset ylabel '{}' offset "
-      "0.8,0\n",
-      top / height_pt, (top - panel_pt + 8) / height_pt, panel.label);
+      "set tmargin at screen {}\nset bmargin at screen {}\n"
+      "set label 2 '{}' at screen {},{} center rotate font ',7'\n",
+      top / height_pt, bottom / height_pt, panel.label, 6 / width_pt,
+      (top + bottom) / 2 / height_pt);
   text += value_range(panel);
   text += figure.over_time ? fmt::format("set format x '{}'\n", last ? "%g" : "") : ticks(last);
   text += last ? fmt::format("set xlabel '{}' offset 0,0.6\n",
@@ -117,7 +120,7 @@ std::string panel_commands(const ConvergenceFigure& figure, std::size_t p, doubl
     if (!panel.series[s].empty())
       add(curve(block_name(p, s), s, figure.over_time,
                 first ? fmt::format("title '{}'", figure.series[s]) : "notitle"));
-  return curves.empty() ? "" : text + "plot " + curves + "\n";
+  return curves.empty() ? "" : text + "plot " + curves + "\nunset label 1\n";
 }
 
 double height_of(const ConvergenceFigure& figure) {

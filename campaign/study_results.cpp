@@ -59,10 +59,7 @@ StudyCell cell_of(const std::vector<const StudyResult*>& runs) {
                  return r.remnants.empty() ? 0 : r.remnants.front().mass_over_total;
                }),
           over(runs, largest(&db::Remnant::spin_period_h)),
-          over(runs,
-               [](const StudyResult& r) -> std::optional<double> {
-                 return r.row.result.wall_s * r.row.result.threads;
-               }),
+          over(runs, [](const StudyResult& r) -> std::optional<double> { return r.core_seconds; }),
           part(runs, [](const StudyResult& r) { return !r.row.result.settled; }),
           part(runs, [](const StudyResult& r) { return r.row.result.n_eer > 0; }),
           count_classes(runs)};
@@ -81,7 +78,8 @@ std::vector<StudyResult> finished_runs(const db::Connection& connection,
   std::vector<StudyResult> results;
   for (const StudyRun& run : runs)
     if (const auto row = rows.find(scene_hash(run.scene)); row != rows.end())
-      results.push_back({run, row->second, db::remnants(connection, row->second.job)});
+      results.push_back({run, row->second, db::remnants(connection, row->second.job),
+                         db::core_seconds(connection, row->second.job)});
   return results;
 }
 
@@ -105,7 +103,7 @@ std::string runs_csv(const std::vector<StudyResult>& results) {
         csv += ",,,,";
       }
     csv += fmt::format(",{},{},{:.6g},{:.4g},{},{}\n", x.n_eer, text(x.dL_over_L), x.particle_steps,
-                       x.wall_s * x.threads, x.solver_version, r.row.hash);
+                       r.core_seconds, x.solver_version, r.row.hash);
   }
   return csv;
 }

@@ -15,6 +15,7 @@ struct StudyResult {
   StudyRun run;
   db::ResultRow row;
   std::vector<db::Remnant> remnants;  ///< from the most massive on
+  double core_seconds = 0;            ///< processor time, s
 };
 
 /// Those of `runs` that the database has a result of.

@@ -119,6 +119,17 @@ std::vector<Remnant> remnants(const Connection& connection, std::int64_t job) {
   return rows;
 }
 
+double core_seconds(const Connection& connection, std::int64_t job) {
+  double sum = 0;
+  connection.read([&](SQLite::Database& sql) {
+    SQLite::Statement select(
+        sql, "SELECT coalesce(sum(core_seconds), 0) FROM attempts WHERE job_id = ?");
+    select.bind(1, job);
+    if (select.executeStep()) sum = select.getColumn(0).getDouble();
+  });
+  return sum;
+}
+
 std::vector<SweepStatus> sweep_status(const Connection& connection) {
   std::vector<SweepStatus> rows;
   connection.read([&](SQLite::Database& sql) {

@@ -41,6 +41,9 @@ std::vector<ResultRow> results(const Connection& connection, const ResultFilter&
 /// The remnants of a job, the most massive first.
 std::vector<Remnant> remnants(const Connection& connection, std::int64_t job);
 
+/// Processor time of all attempts at a job, s; 0 where none is known.
+double core_seconds(const Connection& connection, std::int64_t job);
+
 /// One place of a map: all jobs with this speed and angle, which differ in seed and the like.
 struct MapPoint {
   double q = 0, phi_d_deg = 0, v_imp_cm_per_s = 0, theta_imp_deg = 0, v_over_v_esc = 0;

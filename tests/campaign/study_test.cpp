@@ -109,7 +109,7 @@ TEST(Ensemble, HasMeanDeviationAndExtremes) {
 
 /// A result of `run` with one remnant.
 StudyResult result(const StudyRun& run, double b_over_a) {
-  StudyResult r{run, {}, {{.rank = 1, .mass_over_total = 0.9, .b_over_a = b_over_a}}};
+  StudyResult r{run, {}, {{.rank = 1, .mass_over_total = 0.9, .b_over_a = b_over_a}}, 20};
   r.row.result.outcome_class = b_over_a < 0.3 ? "perfect-merging" : "hit-and-run";
   r.row.result.n_eer = b_over_a < 0.3 ? 1 : 0;
   r.row.result.settled = true;
