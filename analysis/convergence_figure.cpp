@@ -12,7 +12,7 @@ namespace eerie {
 
 namespace {
 
-constexpr double width_pt = 255, panel_pt = 90, top_pt = 30, bottom_pt = 26;
+constexpr double width_pt = 255, panel_pt = 90, top_pt = 40, bottom_pt = 26;
 /// Okabe & Ito's colours, told apart in every common form of colour blindness; with their marks.
 constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73",
                                    "#cc79a7", "#56b4e9", "#000000"};
@@ -144,7 +144,7 @@ std::string convergence_script(const ConvergenceFigure& figure) {
   text += fmt::format(
       "set encoding utf8\nset border lw 0.5\nset bars 0.4\nset pointintervalbox 0\n"
       "set tics scale 0.5\nset lmargin at screen {}\nset rmargin at screen {}\n"
-      "set key at screen 0.99,{} top right maxrows 2 samplen 2 font ',6'\n"
+      "set key at screen 0.99,{} top right maxrows 3 samplen 2 font ',6'\n"
       "set label 1 '{}' at screen {},{} left font ',7'\nset multiplot\n",
       34 / width_pt, 1 - 10 / width_pt, 1 - 12 / height, figure.title, 6 / width_pt,
       1 - 7 / height);
