@@ -87,9 +87,9 @@ StoredResult stored_result(const json& document) {
 
 }  // namespace
 
-std::optional<double> angular_momentum_drift(const Scene& scene, const RunSummary& summary) {
-  const Vec3 before = summary.first_totals.angular_momentum,
-             after = summary.last_totals.angular_momentum;
+std::optional<double> angular_momentum_drift(const Scene& scene, const Totals& start,
+                                             const Totals& end) {
+  const Vec3 before = start.angular_momentum, after = end.angular_momentum;
   const double reduced_mass = target_mass(scene) * scene.impact.q / (1 + scene.impact.q);
   const double grazing = reduced_mass * scene.impact.v_imp_cm_per_s / 100 * contact_distance(scene);
   if (norm(before) < 1e-6 * grazing) return std::nullopt;
@@ -100,7 +100,7 @@ json run_json(const Scene& scene, const RunSummary& summary) {
   json stages;
   for (std::size_t i = 0; i < stage_count; ++i)
     stages[std::string(stage_names[i])] = summary.stages.seconds[i];
-  const auto drift = angular_momentum_drift(scene, summary);
+  const auto drift = angular_momentum_drift(scene, summary.first_totals, summary.last_totals);
   return {{"end_time_s", summary.progress.time},
           {"steps", summary.progress.step},
           {"particle_steps", summary.progress.particle_steps},

@@ -21,7 +21,8 @@ nlohmann::json run_json(const Scene& scene, const RunSummary& summary);
 
 /// |L_end - L_start| / |L_start| of the whole system; nothing for a head-on impact, which has no
 /// angular momentum to compare with.
-std::optional<double> angular_momentum_drift(const Scene& scene, const RunSummary& summary);
+std::optional<double> angular_momentum_drift(const Scene& scene, const Totals& start,
+                                             const Totals& end);
 
 /// A result as the database takes it.
 struct StoredResult {

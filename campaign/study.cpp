@@ -11,6 +11,7 @@
 #include "campaign/scene_field.hpp"
 #include "campaign/study_schema_text.hpp"
 #include "solver/base/error.hpp"
+#include "solver/scene/schemes.hpp"
 #include "solver/scene/validate.hpp"
 
 namespace eerie {
@@ -89,7 +90,7 @@ Study parse_study(const json& given, const std::string& where) {
   study.name = given["name"];
   study.document = given;
   study.where = where;
-  study.schemes = given.value("schemes", std::vector<std::string>{"dual"});
+  study.schemes = given.value("schemes", std::vector{default_scheme()});
   for (const json& c : given["cases"])
     study.cases.push_back(parse_case(c, given.value("scene", json::object())));
   require_distinct(study.cases, where);
@@ -128,10 +129,12 @@ std::vector<StudyRun> runs_of(const Study& study) {
   return runs;
 }
 
-std::vector<StudyRun> affordable(std::vector<StudyRun> runs, double core_hours, double speed) {
-  double left = core_hours * 3600 * speed;
-  const auto end = std::ranges::find_if(
-      runs, [&](const StudyRun& run) { return (left -= expected_particle_steps(run.scene)) < 0; });
+std::vector<StudyRun> affordable(std::vector<StudyRun> runs, double core_hours,
+                                 const db::Speed& speed) {
+  double left = core_hours * 3600;
+  const auto end = std::ranges::find_if(runs, [&](const StudyRun& run) {
+    return (left -= speed.core_seconds_of(expected_particle_steps(run.scene))) < 0;
+  });
   runs.erase(end, runs.end());
   return runs;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "db/query.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie {
@@ -50,8 +51,8 @@ struct StudyRun {
 /// ones.
 std::vector<StudyRun> runs_of(const Study& study);
 
-/// The first of `runs` that together cost no more than `core_hours` at `speed` particle-steps per
-/// second and core.
-std::vector<StudyRun> affordable(std::vector<StudyRun> runs, double core_hours, double speed);
+/// The first of `runs` that together cost no more than `core_hours`.
+std::vector<StudyRun> affordable(std::vector<StudyRun> runs, double core_hours,
+                                 const db::Speed& speed);
 
 }  // namespace eerie

@@ -16,7 +16,7 @@ namespace {
 
 std::string text(std::optional<double> value) { return value ? fmt::format("{:.6g}", *value) : ""; }
 
-/// Of every column of a run's line.
+/// So many of the largest have columns of their own.
 constexpr int shown_remnants = 3;
 
 Ensemble over(const std::vector<const StudyResult*>& runs,

@@ -40,7 +40,7 @@ struct StudyCell {
   std::int64_t particles_per_target = 0;
   Ensemble b_over_a, c_over_a, m_1, period_h, core_seconds;
   double unsettled = 0, p_eer = 0;  ///< parts of the runs; EER: any remnant
-  std::string classes;              ///< "perfect-merging 5, hit-and-run 1"
+  std::string classes;              ///< "hit-and-run 1; perfect-merging 5"
 };
 
 /// In the order of the study.

@@ -63,8 +63,7 @@ HistoryRow full_row(const Snapshot& snapshot, const Totals& start) {
   row.kinetic_energy_J = t.kinetic_energy, row.potential_energy_J = t.potential_energy;
   row.internal_energy_J = t.internal_energy, row.viscous_heat_J = t.viscous_heat;
   row.friction_heat_J = t.friction_heat, row.shear_energy_J = t.shear_energy;
-  const double L = norm(start.angular_momentum);
-  if (L > 0) row.dL_over_L = norm(t.angular_momentum - start.angular_momentum) / L;
+  row.dL_over_L = angular_momentum_drift(snapshot.scene, start, t).value_or(0);
   const Diagnosis d = diagnose(snapshot);
   row.eos_pressure_Pa = d.eos_pressure, row.viscous_pressure_Pa = d.viscous_pressure;
   row.pressureless = d.pressureless, row.density_kg_per_m3 = d.density;

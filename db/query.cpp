@@ -91,7 +91,15 @@ Remnant remnant_row(SQLite::Statement& select) {
   m.spin_period_h = number(column("spin_period_h"));
   m.eer = column("eer").getInt() != 0;
   m.target_fraction = number(column("target_fraction"));
+  if (const SQLite::Column group = column("bound_group"); !group.isNull())
+    m.bound_group = group.getInt64();
   m.bound_mass_over_total = number(column("bound_mass_over_total"));
+  m.x_m = number(column("x_m"));
+  m.y_m = number(column("y_m"));
+  m.z_m = number(column("z_m"));
+  m.vx_m_per_s = number(column("vx_m_per_s"));
+  m.vy_m_per_s = number(column("vy_m_per_s"));
+  m.vz_m_per_s = number(column("vz_m_per_s"));
   return m;
 }
 

@@ -86,6 +86,15 @@ std::vector<FailureGroup> failures(const Connection& connection,
 struct Speed {
   double core_seconds = 0, particle_steps = 0;
   double expected_over_done = 0;  ///< expected over real particle-steps of finished jobs
+
+  bool is_measured() const { return core_seconds > 0 && particle_steps > 0; }
+  /// Real ones; of a measured speed.
+  double particle_steps_per_core_second() const { return particle_steps / core_seconds; }
+  /// What expected particle-steps cost, s; of a measured speed.
+  double core_seconds_of(double expected) const {
+    const double real = expected_over_done > 0 ? expected / expected_over_done : expected;
+    return real / particle_steps_per_core_second();
+  }
 };
 Speed speed(const Connection& connection);
 

@@ -27,6 +27,14 @@ void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
   app.add_option("--set", overrides, "override a field of the scene, PATH=VALUE; may be repeated")
       ->allow_extra_args(false);
 }
+void add_share(CLI::App& app, int& workers, int& threads_per_job) {
+  app.add_option("--workers", workers,
+                 "jobs at a time (default: measured, as many as work fastest)")
+      ->check(CLI::Range(1, most_threads));
+  app.add_option("--threads-per-job", threads_per_job,
+                 "threads of each job (default: measured, or 1 where --workers is given)")
+      ->check(CLI::Range(1, most_threads));
+}
 void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "print JSON"); }
 
 // Each function adds one command's options and gives what the command does. The arguments live
@@ -36,12 +44,7 @@ Action add_run(CLI::App& app) {
   auto a = std::make_shared<RunArguments>();
   app.add_option("SWEEP", a->sweep, "sweep file")->required();
   add_database(app, a->database);
-  app.add_option("--workers", a->workers,
-                 "jobs at a time (default: measured, as many as work fastest)")
-      ->check(CLI::Range(1, most_threads));
-  app.add_option("--threads-per-job", a->threads_per_job,
-                 "threads of each job (default: measured, or 1 where --workers is given)")
-      ->check(CLI::Range(1, most_threads));
+  add_share(app, a->workers, a->threads_per_job);
   add_overrides(app, a->overrides);
   app.add_option("--map", a->maps, "draw the b/a map into this file too (.png, .svg or .pdf)");
   app.add_flag("--retry-failed", a->retry_failed, "run the sweep's failed jobs again");
@@ -122,10 +125,7 @@ Action add_converge(CLI::App& app) {
                  "core-hours that the study may cost, finished runs included (default: no limit)")
       ->check(CLI::Range(0.001, 1e7));
   app.add_option("-o,--output", a->folder, "folder for figures and tables")->required();
-  app.add_option("--workers", a->workers, "jobs at a time (default: measured)")
-      ->check(CLI::Range(1, most_threads));
-  app.add_option("--threads-per-job", a->threads_per_job, "threads of each job (default: measured)")
-      ->check(CLI::Range(1, most_threads));
+  add_share(app, a->workers, a->threads_per_job);
   app.add_flag("--draw-only", a->draw_only, "run nothing: figures and tables of what is there");
   add_json(app, a->json);
   return [a] { return converge(*a); };

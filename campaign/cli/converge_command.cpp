@@ -20,17 +20,12 @@ using nlohmann::json;
 
 namespace {
 
-/// Particle-steps per second and core, where the database has measured none.
-constexpr double assumed_speed = 2e6;
-
 std::vector<StudyRun> chosen_runs(const Study& study, const ConvergeArguments& a,
                                   const db::Connection& connection) {
   std::vector<StudyRun> runs = runs_of(study);
   if (a.core_hours == 0) return runs;
   const db::Speed speed = db::speed(connection);
-  return affordable(
-      std::move(runs), a.core_hours,
-      speed.core_seconds > 0 ? speed.particle_steps / speed.core_seconds : assumed_speed);
+  return affordable(std::move(runs), a.core_hours, speed.is_measured() ? speed : assumed_speed);
 }
 
 std::vector<db::NewJob> jobs_of_runs(const std::vector<StudyRun>& runs) {

@@ -4,6 +4,7 @@
 
 #include "campaign/cli/commands.hpp"
 #include "campaign/cli/text_table.hpp"
+#include "campaign/cli/work.hpp"
 #include "campaign/job.hpp"
 #include "db/jobs.hpp"
 #include "solver/base/error.hpp"
@@ -14,32 +15,29 @@ using nlohmann::json;
 
 namespace {
 
-/// Of one core of a desktop machine, where the database has measured nothing yet.
-constexpr double assumed_particle_steps_per_core_second = 1e6;
-
 struct Estimate {
   std::size_t unknown = 0;
   double core_hours = 0;
-  double speed = assumed_particle_steps_per_core_second;
+  double speed = 0;
   bool measured = false;
 };
 
 Estimate estimate(const fs::path& database, const std::vector<db::NewJob>& jobs) {
   Estimate e;
   e.unknown = jobs.size();
-  double scale = 1;
+  db::Speed speed = assumed_speed;
   std::error_code ignored;
   if (fs::exists(database, ignored)) {
     const db::Connection connection(database, db::Access::read);
     e.unknown = db::count_unknown(connection, jobs);
-    const db::Speed speed = db::speed(connection);
-    e.measured = speed.core_seconds > 0 && speed.particle_steps > 0;
-    if (e.measured) e.speed = speed.particle_steps / speed.core_seconds;
-    if (speed.expected_over_done > 0) scale = 1 / speed.expected_over_done;
+    const db::Speed found = db::speed(connection);
+    e.measured = found.is_measured();
+    if (e.measured) speed = found;
   }
   double particle_steps = 0;
   for (const db::NewJob& job : jobs) particle_steps += job.expected_particle_steps;
-  e.core_hours = particle_steps * scale / e.speed / 3600;
+  e.speed = speed.particle_steps_per_core_second();
+  e.core_hours = speed.core_seconds_of(particle_steps) / 3600;
   return e;
 }
 

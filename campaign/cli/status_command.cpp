@@ -21,10 +21,8 @@ std::int64_t count(const db::SweepStatus& sweep, db::JobState state) {
 
 /// Core-hours that a sweep still needs at the measured speed; nothing while none is measured.
 std::optional<double> core_hours_left(const db::SweepStatus& sweep, const db::Speed& speed) {
-  if (speed.core_seconds <= 0 || speed.particle_steps <= 0 || speed.expected_over_done <= 0)
-    return std::nullopt;
-  return sweep.particle_steps_left / speed.expected_over_done * speed.core_seconds /
-         speed.particle_steps / 3600;
+  if (!speed.is_measured()) return std::nullopt;
+  return speed.core_seconds_of(sweep.particle_steps_left) / 3600;
 }
 
 json sweep_json(const db::SweepStatus& sweep, const db::Speed& speed) {

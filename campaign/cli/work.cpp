@@ -21,7 +21,7 @@ using nlohmann::json;
 namespace {
 
 /// Core-seconds of work from which on measuring splits pays, and what a measurement takes.
-constexpr double worth_measuring_s = 120, assumed_speed = 2e6;
+constexpr double worth_measuring_s = 120, least_speed = 2e6;
 constexpr std::chrono::duration<double> measurement{0.4};
 
 std::string text(const Split& split) {
@@ -41,7 +41,7 @@ Split choose_split(const Share& share, const std::vector<db::Job>& pending,
   double particle_steps = 0;
   for (const db::Job& job : pending) particle_steps += job.expected_particle_steps;
   const std::vector<Split> possible = possible_splits(cores, pending.size());
-  if (possible.size() == 1 || particle_steps / assumed_speed < worth_measuring_s)
+  if (possible.size() == 1 || particle_steps / least_speed < worth_measuring_s)
     return possible.front();
   const auto longest = std::ranges::max_element(pending, {}, &db::Job::expected_particle_steps);
   const Scene scene = parse_scene(json::parse(db::scene(connection, longest->id)));

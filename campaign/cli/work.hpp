@@ -3,10 +3,14 @@
 #include <filesystem>
 
 #include "db/connection.hpp"
+#include "db/query.hpp"
 
 namespace eerie::cli {
 
 inline constexpr int stopped_by_signal = 130;  // 128 + SIGINT, as shells expect
+
+/// Of one core of a desktop machine, where a database has measured nothing yet.
+inline constexpr db::Speed assumed_speed{1, 1e6, 0};
 
 /// How the user wants the cores shared; 0: chosen.
 struct Share {

@@ -31,6 +31,9 @@ inline constexpr Scheme schemes[] = {
          "viscosity_alpha": 1, "viscosity_beta": 2})"},
 };
 
+/// That of scenes that name none, as the schema says.
+std::string default_scheme();
+
 /// `document`, a valid scene as given, with the defaults of its scheme for the fields of numerics
 /// that it leaves out.
 nlohmann::json with_scheme(nlohmann::json document);

@@ -54,6 +54,7 @@ Diagnosis diagnose(const Snapshot& snapshot) {
   // A solver whose friction feels viscosity has summed what viscosity carries.
   Scene scene = snapshot.scene;
   scene.material.drucker_prager.pressure = "total";
+  scene.environment.self_gravity = false;  // sums do not need it, and it costs more than they do
   const Solver solver(scene, snapshot.state);
   const State& s = solver.state();
   const double reference_density = solver.material().reference_density;

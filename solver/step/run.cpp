@@ -60,16 +60,15 @@ class Ending {
     const double asked = std::floor((now - end_.time_s) / interval + 1e-6);
     return std::min(end_.latest_s, end_.time_s + (asked + 1) * interval);
   }
-  bool reached(double now) const { return now >= end_.time_s * (1 - rounding); }
+  /// Whether a run that may end now does.
   template <class MakeSnapshot>
   bool is_over(double now, MakeSnapshot&& snapshot) const {
-    if (!reached(now)) return false;
     if (end_.latest_s <= end_.time_s || now >= end_.latest_s * (1 - rounding)) return true;
     return !settled_ || settled_(snapshot());
   }
+  static constexpr double rounding = 1e-12;
 
  private:
-  static constexpr double rounding = 1e-12;
   Scene::End end_;
   const std::function<bool(const Snapshot&)>& settled_;
 };
@@ -84,12 +83,13 @@ class Run {
         histories_(scene.output.history_interval_s, solver_.state().time),
         last_good_(checkpoint()),
         ending_(scene.end, options.settled),
-        goal_(ending_.next(solver_.state().time)) {}
+        goal_(ending_.next(solver_.state().time)),
+        over_(is_over()) {}
 
   RunSummary go() {
     const long first_step = solver_.state().step;
     RunEnd end = RunEnd::finished;
-    while (!is_over()) {
+    while (!over_) {
       if (options_.max_steps > 0 && solver_.state().step - first_step >= options_.max_steps) {
         end = RunEnd::step_limit;
         break;
@@ -99,6 +99,7 @@ class Run {
         break;
       }
       advance();
+      over_ = is_over();
       write_outputs();
       if (options_.on_progress) options_.on_progress(progress());
     }
@@ -124,7 +125,7 @@ class Run {
   /// Asked after every cycle; looks at the remnants at the goals alone.
   bool is_over() {
     const double now = solver_.state().time;
-    if (now < goal_ * (1 - 1e-12)) return false;
+    if (now < goal_ * (1 - Ending::rounding)) return false;
     if (ending_.is_over(now, [this] { return snapshot(); })) return true;
     goal_ = ending_.next(now);
     return false;
@@ -197,8 +198,7 @@ class Run {
   void write_outputs() {
     const StageTimer timer(solver_.stages(), Stage::output);
     const double time = solver_.state().time;
-    const bool may_end = time >= goal_ * (1 - 1e-12);
-    if (snapshots_.due(time) && !may_end) write_snapshot(numbered(snapshots_.count()), snapshot());
+    if (snapshots_.due(time) && !over_) write_snapshot(numbered(snapshots_.count()), snapshot());
     if (histories_.due(time)) {
       last_good_ = checkpoint();
       if (options_.on_history) options_.on_history(snapshot(), first_totals_);
@@ -232,6 +232,7 @@ class Run {
   Snapshot last_good_;  ///< a checkpoint of the last history row
   Ending ending_;
   double goal_;  ///< the run may end then, and is asked again
+  bool over_;
 };
 
 }  // namespace

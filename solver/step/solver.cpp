@@ -42,6 +42,7 @@ Viscosity viscosity_of(const Scene& scene) {
 
 Solver::Sums Solver::make_sums() const {
   const Scene::Numerics& n = scene_.numerics;
+  const Viscosity viscosity = viscosity_of(scene_);
   const ExtraTerms extra{evolving_h_, n.artificial_stress > 0,
                          std::cbrt(state_.mass / material_.reference_density), fields_.shear};
   const bool all =
@@ -50,7 +51,6 @@ Solver::Sums Solver::make_sums() const {
       [&](auto kernel) -> Sums {
         using Kernel = decltype(kernel);
         const auto make = [&]<Terms t>(std::integral_constant<Terms, t>) -> Sums {
-          const Viscosity viscosity = viscosity_of(scene_);
           if (n.precision == "double")
             return SumsOf<t>(PairSums<double, Kernel, t>(state_.h, state_.mass, viscosity, extra));
           return SumsOf<t>(PairSums<float, Kernel, t>(state_.h, state_.mass, viscosity, extra));

@@ -76,7 +76,7 @@ TEST_F(ResultFile, ThatIsAnotherKindOfJsonIsNoResult) {
 TEST_F(ResultFile, HasNoDriftToTellForAHeadOnImpact) {
   RunSummary summary = test::sample_summary(scene);
   summary.first_totals.angular_momentum = {0, 0, 1e-3};
-  EXPECT_FALSE(angular_momentum_drift(scene, summary));
+  EXPECT_FALSE(angular_momentum_drift(scene, summary.first_totals, summary.last_totals));
   EXPECT_TRUE(run_json(scene, summary).at("dL_over_L").is_null());
 }
 

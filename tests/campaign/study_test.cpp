@@ -63,10 +63,13 @@ TEST(Study, SpendsNoMoreThanItsBudget) {
   const auto runs = runs_of(parse_study(small_study(), "study.json"));
   const double first_two =
       expected_particle_steps(runs[0].scene) + expected_particle_steps(runs[1].scene);
-  constexpr double speed = 1e6;
-  EXPECT_EQ(affordable(runs, 1.001 * first_two / speed / 3600, speed).size(), 2u);
-  EXPECT_EQ(affordable(runs, 0.999 * first_two / speed / 3600, speed).size(), 1u);
+  constexpr double rate = 1e6;
+  const db::Speed speed{2, 2 * rate, 0}, slower_than_expected{2, 2 * rate, 0.5};
+  EXPECT_EQ(affordable(runs, 1.001 * first_two / rate / 3600, speed).size(), 2u);
+  EXPECT_EQ(affordable(runs, 0.999 * first_two / rate / 3600, speed).size(), 1u);
   EXPECT_EQ(affordable(runs, 1e6, speed).size(), runs.size());
+  EXPECT_EQ(affordable(runs, 1.999 * first_two / rate / 3600, slower_than_expected).size(), 1u);
+  EXPECT_EQ(affordable(runs, 2.001 * first_two / rate / 3600, slower_than_expected).size(), 2u);
 }
 
 TEST(Study, ComplaintsNameTheFieldAndTheMend) {

@@ -262,6 +262,20 @@ TEST(Run, GoesOnUntilNothingWillMeetAndEndsAtTheSameMomentWhenInterrupted) {
       IsEmpty());
 }
 
+TEST(Run, WritesItsSnapshotsWhileItWaits) {
+  const Scene scene = short_impact(
+      {{"end", {{"time_s", 60}, {"latest_s", 66}}}, {"output", {{"snapshot_interval_s", 2}}}});
+  RunOptions options;
+  options.settled = [](const Snapshot&) { return false; };
+  const TemporaryFolder folder;
+  run_in(folder, scene, options);
+  // The questions at 60, 62 and 64 s fall on moments of a snapshot; the end at 66 s is final.hdf5.
+  for (const char* name : {"snapshot_0029.hdf5", "snapshot_0030.hdf5", "snapshot_0031.hdf5",
+                           "snapshot_0032.hdf5", "final.hdf5"})
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder / "snapshot_0033.hdf5"));
+}
+
 TEST(Run, EndsAtTheLatestTimeWhateverWillMeet) {
   const Scene scene = short_impact({{"end", {{"time_s", 60}, {"latest_s", 67}}}});
   RunOptions options;
