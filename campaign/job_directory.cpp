@@ -36,6 +36,30 @@ std::optional<WorkerProgress> read_progress(const JobDirectory& directory) {
   return p;
 }
 
+json to_json(const AttemptEnded& e) {
+  return {{"exit_code", e.exit_code},
+          {"core_seconds", e.core_seconds},
+          {"peak_memory_bytes", e.peak_memory_bytes},
+          {"host", e.host},
+          {"pid", e.pid}};
+}
+
+std::optional<AttemptEnded> read_ended(const JobDirectory& directory) {
+  const auto document = read_json(directory.ended());
+  if (!document || !document->is_object()) return std::nullopt;
+  AttemptEnded e;
+  try {
+    document->at("exit_code").get_to(e.exit_code);
+    document->at("core_seconds").get_to(e.core_seconds);
+    document->at("peak_memory_bytes").get_to(e.peak_memory_bytes);
+    document->at("host").get_to(e.host);
+    document->at("pid").get_to(e.pid);
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+  return e;
+}
+
 json to_json(const Failure& f) {
   return {
       {"kind", f.kind}, {"step", f.step}, {"particle_id", f.particle_id}, {"message", f.message}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -21,6 +22,8 @@ struct JobDirectory {
   std::filesystem::path checkpoint() const { return path / "checkpoint.hdf5"; }
   std::filesystem::path log() const { return path / "log.txt"; }
   std::filesystem::path worker_lock() const { return path / "worker.lock"; }
+  std::filesystem::path ended() const { return path / "ended.json"; }
+  std::filesystem::path stop() const { return path / "stop"; }
 };
 
 /// "<database>.jobs/<first 16 hex digits of the hash>".
@@ -38,6 +41,18 @@ nlohmann::json to_json(const WorkerProgress& progress);
 
 /// Nothing where the file is missing or unreadable.
 std::optional<WorkerProgress> read_progress(const JobDirectory& directory);
+
+/// What a worker says last of itself: how its attempt ended and what it cost.
+struct AttemptEnded {
+  int exit_code = -1;
+  double core_seconds = 0;
+  std::int64_t peak_memory_bytes = 0;
+  std::string host;
+  long pid = 0;
+};
+nlohmann::json to_json(const AttemptEnded& ended);
+/// Nothing where the attempt goes on, was killed, or its file is unreadable.
+std::optional<AttemptEnded> read_ended(const JobDirectory& directory);
 
 /// Why a run cannot give a result; the file's presence makes the job failed.
 struct Failure {

@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "campaign/signals.hpp"
+#include "campaign/worker_lock.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie {
@@ -70,12 +71,22 @@ LocalProcesses::LocalProcesses(std::size_t workers, int threads_per_job)
     : workers_(workers), threads_per_job_(threads_per_job) {}
 
 LocalProcesses::~LocalProcesses() {
-  kill_all();
+  for (const auto& [pid, job] : jobs_) ::kill(pid, SIGKILL);
   while (!jobs_.empty() && !wait(std::chrono::seconds(1)).empty()) {
   }
 }
 
-std::int64_t LocalProcesses::start(std::int64_t job, const JobDirectory& directory) {
+std::vector<std::string> LocalProcesses::start(std::span<const Task> tasks) {
+  std::vector<std::string> names;
+  for (const Task& task : tasks) {
+    const pid_t pid = spawn(task.directory);
+    jobs_[pid] = task.job;
+    names.push_back(std::to_string(pid));
+  }
+  return names;
+}
+
+pid_t LocalProcesses::spawn(const JobDirectory& directory) const {
   std::string words[] = {"eerie",
                          "worker",
                          directory.path.string(),
@@ -91,11 +102,12 @@ std::int64_t LocalProcesses::start(std::int64_t job, const JobDirectory& directo
   const int status = ::posix_spawn(&pid, "/proc/self/exe", &settings.actions, &settings.attributes,
                                    arguments.data(), environ);
   if (status != 0)
-    throw EnvironmentError(fmt::format("cannot start a worker in {}: {}", directory.path.string(),
-                                       std::strerror(status)));
-  jobs_[pid] = job;
+    throw SchedulerUnavailable(fmt::format("cannot start a worker in {}: {}",
+                                           directory.path.string(), std::strerror(status)));
   return pid;
 }
+
+bool LocalProcesses::holds(const Task& task) { return WorkerLock::held(task.directory); }
 
 std::vector<WorkerEnd> LocalProcesses::wait(std::chrono::milliseconds longest) {
   std::vector<WorkerEnd> ended = reap();
@@ -119,12 +131,10 @@ std::vector<WorkerEnd> LocalProcesses::reap() {
   return ended;
 }
 
-void LocalProcesses::stop_all() {
-  for (const auto& [pid, job] : jobs_) ::kill(pid, SIGTERM);
-}
-
-void LocalProcesses::kill_all() {
-  for (const auto& [pid, job] : jobs_) ::kill(pid, SIGKILL);
+void LocalProcesses::stop(std::span<const Task> tasks, StopKind kind) {
+  const int signal = kind == StopKind::at_once ? SIGKILL : SIGTERM;
+  for (const auto& [pid, job] : jobs_)
+    if (std::ranges::find(tasks, job, &Task::job) != tasks.end()) ::kill(pid, signal);
 }
 
 std::size_t usable_cores() {

@@ -12,13 +12,14 @@ class LocalProcesses : public Scheduler {
   LocalProcesses(std::size_t workers, int threads_per_job);
   ~LocalProcesses() override;  ///< kills what is left
 
-  std::size_t free_slots() const override { return workers_ - jobs_.size(); }
-  std::int64_t start(std::int64_t job, const JobDirectory& directory) override;
+  std::size_t free_slots() override { return workers_ - jobs_.size(); }
+  std::vector<std::string> start(std::span<const Task> tasks) override;
+  bool holds(const Task& task) override;
   std::vector<WorkerEnd> wait(std::chrono::milliseconds longest) override;
-  void stop_all() override;
-  void kill_all() override;
+  void stop(std::span<const Task> tasks, StopKind kind) override;
 
  private:
+  pid_t spawn(const JobDirectory& directory) const;
   std::vector<WorkerEnd> reap();
 
   std::size_t workers_;

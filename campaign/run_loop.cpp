@@ -5,7 +5,6 @@
 
 #include "campaign/provenance.hpp"
 #include "campaign/verdict.hpp"
-#include "campaign/worker_lock.hpp"
 #include "db/query.hpp"
 #include "solver/base/file.hpp"
 
@@ -49,7 +48,7 @@ void RunLoop::load() {
 void RunLoop::reconcile() {
   for (const db::Job& job : db::jobs(connection_, {std::nullopt, db::JobState::running})) {
     if (running_.contains(job.id)) continue;
-    if (WorkerLock::held(job_directory(connection_.path(), job.hash))) {
+    if (scheduler_.holds(task(job))) {
       foreign_[job.id] = job;
     } else {
       foreign_.erase(job.id);
@@ -84,10 +83,17 @@ void RunLoop::run(const std::function<int()>& stop_requests,
 void RunLoop::obey(int stop_requests) {
   if (stop_requests <= obeyed_) return;
   obeyed_ = stop_requests;
-  if (stop_requests == 1)
-    scheduler_.stop_all();
-  else
-    scheduler_.kill_all();
+  stop_workers(stop_requests == 1 ? StopKind::with_checkpoint : StopKind::at_once);
+}
+
+Task RunLoop::task(const db::Job& job) const {
+  return {job.id, job_directory(connection_.path(), job.hash)};
+}
+
+void RunLoop::stop_workers(StopKind kind) {
+  std::vector<Task> tasks;
+  for (const auto& [id, job] : running_) tasks.push_back(task(job));
+  scheduler_.stop(tasks, kind);
 }
 
 void RunLoop::fill_slots() {
@@ -103,7 +109,7 @@ void RunLoop::start(const db::Job& job) {
   throughput_.started(job.id, job.expected_particle_steps);
   // A manager may have been killed between a worker's start and the note of it, or between a
   // worker's result and the note of that.
-  if (WorkerLock::held(directory)) {
+  if (scheduler_.holds(task(job))) {
     db::begin_attempt(connection_, job.id, host_name(), 0, provenance().version);
     foreign_[job.id] = job;
     return;
@@ -115,7 +121,8 @@ void RunLoop::start(const db::Job& job) {
   fs::create_directories(directory.path);
   fs::remove(directory.failure());
   install_text(directory.scene(), db::scene(connection_, job.id) + "\n");
-  const std::int64_t pid = scheduler_.start(job.id, directory);
+  const Task one[] = {task(job)};
+  const std::int64_t pid = std::stoll(scheduler_.start(one).front());
   db::begin_attempt(connection_, job.id, host_name(), pid, provenance().version);
   running_[job.id] = job;
 }
@@ -146,7 +153,7 @@ void RunLoop::measure() {
 }
 
 void RunLoop::drain() {
-  scheduler_.stop_all();
+  stop_workers(StopKind::with_checkpoint);
   while (!running_.empty()) {
     for (const WorkerEnd& end : scheduler_.wait(tick)) running_.erase(end.job);
   }

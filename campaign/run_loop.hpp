@@ -38,6 +38,8 @@ class RunLoop {
 
  private:
   void load();
+  Task task(const db::Job& job) const;
+  void stop_workers(StopKind kind);
   void obey(int stop_requests);
   void fill_slots();
   void start(const db::Job& job);

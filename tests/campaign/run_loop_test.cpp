@@ -23,8 +23,24 @@ class ScriptedWorkers : public Scheduler {
  public:
   explicit ScriptedWorkers(std::deque<Act> script) : script_(std::move(script)) {}
 
-  std::size_t free_slots() const override { return 2 - ended_.size(); }
-  std::int64_t start(std::int64_t job, const JobDirectory& directory) override {
+  std::size_t free_slots() override { return 2 - ended_.size(); }
+  std::vector<std::string> start(std::span<const Task> tasks) override {
+    std::vector<std::string> names;
+    for (const Task& task : tasks) begin(task.job, task.directory), names.emplace_back("4711");
+    return names;
+  }
+  bool holds(const Task& task) override { return WorkerLock::held(task.directory); }
+  std::vector<WorkerEnd> wait(std::chrono::milliseconds) override {
+    return std::exchange(ended_, {});
+  }
+  void stop(std::span<const Task>, StopKind kind) override {
+    ++(kind == StopKind::at_once ? kills : stops);
+  }
+
+  int starts = 0, stops = 0, kills = 0;
+
+ private:
+  void begin(std::int64_t job, const JobDirectory& directory) {
     ++starts;
     const Scene scene = parse_scene(json::parse(read_file(directory.scene())));
     const Act act = script_.empty() ? Act::succeed : script_.front();
@@ -54,17 +70,8 @@ class ScriptedWorkers : public Scheduler {
         break;
     }
     ended_.push_back(end);
-    return 4711;
   }
-  std::vector<WorkerEnd> wait(std::chrono::milliseconds) override {
-    return std::exchange(ended_, {});
-  }
-  void stop_all() override { ++stops; }
-  void kill_all() override { ++kills; }
 
-  int starts = 0, stops = 0, kills = 0;
-
- private:
   std::deque<Act> script_;
   std::vector<WorkerEnd> ended_;
 };
