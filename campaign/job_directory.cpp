@@ -1,15 +1,37 @@
 #include "campaign/job_directory.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
+#include "db/settings.hpp"
+#include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
 namespace eerie {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-JobDirectory job_directory(const fs::path& database, const std::string& hash) {
-  return {fs::path(database.string() + ".jobs") / hash.substr(0, 16)};
+namespace {
+constexpr const char* folder_key = "jobs_folder";
+}
+
+JobFolder job_folder(const db::Connection& connection) {
+  if (const auto chosen = db::setting(connection, folder_key)) return {*chosen};
+  return {fs::path(connection.path().string() + ".jobs")};
+}
+
+void choose_job_folder(db::Connection& connection, const fs::path& root) {
+  const fs::path chosen = fs::absolute(root).lexically_normal();
+  const fs::path present = fs::absolute(job_folder(connection).root).lexically_normal();
+  if (chosen == present) return;
+  std::error_code ignored;
+  if (fs::exists(present, ignored) && !fs::is_empty(present, ignored))
+    throw InputError(fmt::format(
+        "--jobs-dir = {}: the job directories of {} lie in {}; leave the option out, or move them "
+        "and change the row 'jobs_folder' of the table settings",
+        root.string(), connection.path().string(), present.string()));
+  db::set(connection, folder_key, chosen.string());
 }
 
 json to_json(const WorkerProgress& p) {

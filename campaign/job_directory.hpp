@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "db/connection.hpp"
+
 namespace eerie {
 
 /// The folder through which manager and worker speak (docs/job-directory.md). Every file in it
@@ -26,8 +28,19 @@ struct JobDirectory {
   std::filesystem::path stop() const { return path / "stop"; }
 };
 
-/// "<database>.jobs/<first 16 hex digits of the hash>".
-JobDirectory job_directory(const std::filesystem::path& database, const std::string& hash);
+/// Where the job directories of a campaign lie.
+struct JobFolder {
+  std::filesystem::path root;
+  /// root / first 16 hex digits of the hash.
+  JobDirectory of(const std::string& hash) const { return {root / hash.substr(0, 16)}; }
+};
+
+/// The folder that the database names, or "<database>.jobs".
+JobFolder job_folder(const db::Connection& connection);
+
+/// Lets the job directories of a database lie in `root`, which may be on another file system than
+/// the database. Throws InputError where they lie elsewhere already.
+void choose_job_folder(db::Connection& connection, const std::filesystem::path& root);
 
 /// What a running worker says of itself about once a second.
 struct WorkerProgress {

@@ -212,7 +212,7 @@ const StudyResult* finest(const std::vector<StudyResult>& results, const std::st
 
 std::optional<ConvergenceFigure> diagnosis_figure(const Study& study, const Study::Case& one,
                                                   const std::vector<StudyResult>& results,
-                                                  const std::filesystem::path& database) {
+                                                  const JobFolder& jobs) {
   ConvergenceFigure figure{one.title, {}, {}, true};
   for (const Column& column : diagnosis_columns)
     figure.panels.push_back({column.label, {}, {}, column.logarithmic});
@@ -223,7 +223,7 @@ std::optional<ConvergenceFigure> diagnosis_figure(const Study& study, const Stud
     const StudyResult* run = finest(results, one.name, scheme);
     if (run == nullptr) continue;
     figure.series.back() += fmt::format(", {}", run->run.particles_per_target);
-    for (const HistoryRow& row : read_history(job_directory(database, run->row.hash).history()))
+    for (const HistoryRow& row : read_history(jobs.of(run->row.hash).history()))
       for (std::size_t p = 0; p < figure.panels.size(); ++p)
         if (const auto value = diagnosis_columns[p].value(row)) {
           figure.panels[p].series.back().push_back({row.time_s / 1000, *value, 0, *value, *value});

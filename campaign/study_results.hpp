@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/convergence_figure.hpp"
+#include "campaign/job_directory.hpp"
 #include "campaign/study.hpp"
 #include "db/query.hpp"
 
@@ -56,6 +57,6 @@ std::optional<ConvergenceFigure> figure_of(const Study& study, const Study::Case
 /// where no history of the case says it.
 std::optional<ConvergenceFigure> diagnosis_figure(const Study& study, const Study::Case& one,
                                                   const std::vector<StudyResult>& results,
-                                                  const std::filesystem::path& database);
+                                                  const JobFolder& jobs);
 
 }  // namespace eerie

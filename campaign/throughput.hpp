@@ -6,8 +6,12 @@
 #include <map>
 
 #include "campaign/job_directory.hpp"
+#include "db/query.hpp"
 
 namespace eerie {
+
+/// Of one core of a desktop machine, where a database has measured nothing yet.
+inline constexpr db::Speed assumed_speed{1, 1e6, 0};
 
 /// Speed and time left of a campaign, from particle-steps: jobs differ in length, so counting
 /// jobs would mislead.
@@ -19,6 +23,8 @@ class Throughput {
   /// real ones; 0 where unknown.
   Throughput(double expected_left, double expected_over_done);
 
+  /// The work of jobs that wait, counted anew.
+  void waiting(double expected) { left_not_running_ = expected; }
   void started(std::int64_t job, double expected);
   void progressed(std::int64_t job, const WorkerProgress& progress);
   /// The job runs no longer; `done`: for good (done or failed), else it will start again.

@@ -41,6 +41,20 @@ Crashed crash(const JobDirectory& directory, const WorkerEnd& end) {
                       directory.log().string(), last_line(directory.log()))};
 }
 
+std::optional<WorkerEnd> own_word(const JobDirectory& directory) {
+  const auto ended = read_ended(directory);
+  if (!ended) return std::nullopt;
+  WorkerEnd end;
+  end.exit_code = ended->exit_code;
+  return end;
+}
+
+/// Whether a worker got as far as its first heartbeat.
+bool at_work(const JobDirectory& directory) {
+  std::error_code ignored;
+  return fs::exists(directory.heartbeat(), ignored);
+}
+
 /// A result.json that is there and is no result must not be taken for one, nor be lost.
 void set_aside_bad_result(const JobDirectory& directory) {
   std::error_code ignored;
@@ -51,11 +65,16 @@ void set_aside_bad_result(const JobDirectory& directory) {
 }  // namespace
 
 Verdict judge(const JobDirectory& directory, const std::string& hash,
-              const std::optional<WorkerEnd>& end) {
+              const std::optional<WorkerEnd>& seen) {
   if (auto stored = read_result(directory, hash)) return Finished{std::move(*stored)};
   set_aside_bad_result(directory);
   if (auto failure = read_failure(directory)) return Failed{std::move(*failure)};
-  if (!end) return Lost{};
+  const std::optional<WorkerEnd> end = seen && !seen->lost ? seen : own_word(directory);
+  if (!end && seen && at_work(directory))
+    return Crashed{"lost", fmt::format("the worker vanished without a word; see {}",
+                                       directory.log().string())};
+  if (!end || end->exit_code == worker_busy) return Lost{};
+  if (end->exit_code == worker_disk_full) return DiskFull{};
   // A worker that is told to stop in its first moments has no handler yet and dies of the signal.
   if (end->exit_code == worker_stopped || end->signal == SIGTERM || end->signal == SIGINT)
     return Stopped{};
@@ -63,20 +82,27 @@ Verdict judge(const JobDirectory& directory, const std::string& hash,
 }
 
 db::JobState commit(db::Connection& connection, const db::Job& job, const Verdict& verdict,
-                    const std::optional<WorkerEnd>& end, std::optional<double> particle_steps) {
+                    const Attempt& attempt) {
   db::AttemptEnd row;
-  row.particle_steps = particle_steps;
-  if (end) {
-    row.core_seconds = end->core_seconds;
-    row.peak_memory_bytes = end->peak_memory_bytes;
+  row.particle_steps = attempt.particle_steps;
+  row.wall_s = attempt.wall_s;
+  if (attempt.end) {
+    row.core_seconds = attempt.end->core_seconds;
+    row.peak_memory_bytes = attempt.end->peak_memory_bytes;
   }
   const auto end_as = [&](db::ExitReason reason, std::string kind, std::string message,
                           db::JobState next) {
     row.reason = reason;
     row.failure_kind = std::move(kind);
     row.message = std::move(message);
-    db::end_attempt(connection, job.id, row, next);
-    return next;
+    return db::end_attempt(connection, job.id, row, next);
+  };
+  const auto over_limit = [&] {
+    return end_as(db::ExitReason::failed, "wall-limit",
+                  fmt::format("it took longer than its wall limit of {:g} s; raise that with "
+                              "`eerie wall-limit` and retry: it goes on from its checkpoint",
+                              job.wall_limit_s.value_or(0)),
+                  db::JobState::failed);
   };
   return std::visit(
       Overloaded{
@@ -92,12 +118,17 @@ db::JobState commit(db::Connection& connection, const db::Job& job, const Verdic
                           db::JobState::failed);
           },
           [&](const Stopped&) {
+            if (attempt.over_wall_limit) return over_limit();
             return end_as(db::ExitReason::stopped, "", "", db::JobState::pending);
           },
           [&](const Crashed& v) {
+            if (attempt.over_wall_limit) return over_limit();
             const bool last = job.crashes + 1 >= max_crashes;
             return end_as(db::ExitReason::crashed, v.kind, v.message,
                           last ? db::JobState::failed : db::JobState::pending);
+          },
+          [&](const DiskFull&) {
+            return end_as(db::ExitReason::stopped, "disk-full", "", db::JobState::pending);
           },
           [&](const Lost&) { return end_as(db::ExitReason::lost, "", "", db::JobState::pending); },
       },

@@ -21,19 +21,28 @@ struct Stopped {};  ///< on request, with a checkpoint
 struct Crashed {    ///< tried again, max_crashes times
   std::string kind, message;
 };
-struct Lost {};  ///< its manager went away; nobody saw the end
-using Verdict = std::variant<Finished, Failed, Stopped, Crashed, Lost>;
+struct DiskFull {};  ///< it could not write; the job goes on once there is room
+struct Lost {};      ///< its manager went away; nobody saw the end
+using Verdict = std::variant<Finished, Failed, Stopped, Crashed, DiskFull, Lost>;
 
 /// Attempts of one job that may crash before it counts as failed.
 inline constexpr int max_crashes = 3;
 
-/// Reads the verdict from the files; `end`, where a process was seen to end, decides only
-/// between the ways to have no result.
+/// Reads the verdict from the files; `end`, where a worker was seen to end, decides only between
+/// the ways to have no result. Without it the worker's own last word counts.
 Verdict judge(const JobDirectory& directory, const std::string& hash,
               const std::optional<WorkerEnd>& end);
 
+/// An attempt that is over.
+struct Attempt {
+  std::optional<WorkerEnd> end = {};
+  std::optional<double> particle_steps = {};
+  double wall_s = 0;             ///< that its worker was seen at work
+  bool over_wall_limit = false;  ///< and was stopped for it
+};
+
 /// Commits the verdict and gives the state in which the job now is.
 db::JobState commit(db::Connection& connection, const db::Job& job, const Verdict& verdict,
-                    const std::optional<WorkerEnd>& end, std::optional<double> particle_steps);
+                    const Attempt& attempt);
 
 }  // namespace eerie

@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <spdlog/spdlog.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -38,6 +39,27 @@ bool die_with(long parent) {
   return ::getppid() == parent;
 }
 
+/// Whether a stop was asked for: by a signal, or, from another host, by the file `stop` in the
+/// job directory, looked for once a second.
+class StopRequest {
+ public:
+  explicit StopRequest(fs::path file) : file_(std::move(file)) {}
+
+  bool operator()() {
+    if (stop_requests() > 0) return true;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::seconds(1)) return found_;
+    last_ = now;
+    std::error_code ignored;
+    return found_ = fs::exists(file_, ignored);
+  }
+
+ private:
+  fs::path file_;
+  std::chrono::steady_clock::time_point last_{};
+  bool found_ = false;
+};
+
 /// Installs progress.json about once a second of wall time.
 class ProgressWriter {
  public:
@@ -48,7 +70,11 @@ class ProgressWriter {
     if (now - last_ < std::chrono::seconds(1)) return;
     last_ = now;
     const WorkerProgress report{p.time, p.end_time, p.step, p.particle_steps, p.wall_s, ::getpid()};
-    install_text(directory_.progress(), to_json(report).dump());
+    try {
+      install_text(directory_.progress(), to_json(report).dump());
+    } catch (const EnvironmentError& error) {
+      spdlog::warn("no progress noted: {}", error.what());  // the run itself may still succeed
+    }
   }
 
  private:
@@ -101,6 +127,49 @@ int run_job(const JobDirectory& directory, int threads) {
   }
 }
 
+/// The last word of a worker, for whoever did not see it end.
+void write_ended(const JobDirectory& directory, int exit_code) {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  const AttemptEnded ended{exit_code, seconds(usage.ru_utime) + seconds(usage.ru_stime),
+                           static_cast<std::int64_t>(usage.ru_maxrss) * 1024, host_name(),
+                           ::getpid()};
+  try {
+    install_text(directory.ended(), to_json(ended).dump());
+  } catch (const EnvironmentError& error) {
+    spdlog::warn("no last word: {}", error.what());  // the exit code says the same
+  }
+}
+
+/// run_job with its failures that are no verdict on the job as exit codes.
+int run_or_excuse(const JobDirectory& directory, int threads) {
+  try {
+    return run_job(directory, threads);
+  } catch (const DiskFullError& error) {
+    spdlog::error("{}", error.what());
+    return worker_disk_full;
+  } catch (const std::exception& error) {
+    spdlog::error("{}", error.what());
+    return static_cast<int>(dynamic_cast<const InputError*>(&error) != nullptr
+                                ? ExitCode::bad_input
+                                : ExitCode::environment);
+  }
+}
+
+int attempt(const JobDirectory& directory, int threads) {
+  open_log(directory);
+  const Provenance source = provenance();
+  spdlog::info("eerie {} ({}) on {}, process {}, {} threads, {}", source.version, source.commit,
+               source.host, ::getpid(), threads, vector_variant);
+  const Heartbeat heartbeat(directory.heartbeat());
+  const int exit_code = run_or_excuse(directory, threads);
+  write_ended(directory, exit_code);
+  return exit_code;
+}
+
 }  // namespace
 
 Computed compute(const Scene& scene, const fs::path& directory, int threads, long max_steps,
@@ -117,7 +186,7 @@ Computed compute(const Scene& scene, const fs::path& directory, int threads, lon
   options.settled = [](const Snapshot& snapshot) {
     return !will_meet(find_remnants(snapshot.state).remnants);
   };
-  options.stop = [] { return stop_requests() > 0; };
+  options.stop = StopRequest(JobDirectory{directory}.stop());
   options.on_note = [](const std::string& note) { spdlog::info("{}", note); };
   Computed computed;
   computed.summary = run_impact(scene, options);
@@ -130,18 +199,12 @@ int run_worker(const WorkerOptions& options) {
   catch_stop_signals();
   if (!die_with(options.parent)) return worker_stopped;
   const JobDirectory directory{options.directory};
-  const WorkerLock lock(directory);
-  open_log(directory);
-  const Provenance source = provenance();
-  spdlog::info("eerie {} ({}) on {}, process {}, {} threads, {}", source.version, source.commit,
-               source.host, ::getpid(), options.threads, vector_variant);
-  const Heartbeat heartbeat(directory.heartbeat());
   try {
-    return run_job(directory, options.threads);
-  } catch (const std::exception& error) {
-    // Not a verdict on the job: the manager sees the exit code and tries again.
-    spdlog::error("{}", error.what());
-    throw;
+    const WorkerLock lock(directory);
+    return attempt(directory, options.threads);
+  } catch (const DirectoryBusy& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return worker_busy;
   }
 }
 

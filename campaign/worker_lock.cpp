@@ -21,7 +21,7 @@ WorkerLock::WorkerLock(const JobDirectory& directory) {
   const int reason = errno;
   ::close(descriptor_);
   if (reason == EWOULDBLOCK)
-    throw EnvironmentError(
+    throw DirectoryBusy(
         fmt::format("another process works in {} already", directory.path.string()));
   throw EnvironmentError(fmt::format("cannot lock {}: {}", path, std::strerror(reason)));
 }

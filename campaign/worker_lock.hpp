@@ -1,14 +1,20 @@
 #pragma once
 
 #include "campaign/job_directory.hpp"
+#include "solver/base/error.hpp"
 
 namespace eerie {
+
+/// Another process works in the job directory.
+struct DirectoryBusy : EnvironmentError {
+  using EnvironmentError::EnvironmentError;
+};
 
 /// Held by the process that works in a job directory, by flock on worker.lock: two never work in
 /// one, and a manager that was restarted sees whether the worker it left behind is still there.
 class WorkerLock {
  public:
-  /// Throws EnvironmentError where another process works in the directory.
+  /// Throws DirectoryBusy where another process works in the directory.
   explicit WorkerLock(const JobDirectory& directory);
   ~WorkerLock();
   WorkerLock(const WorkerLock&) = delete;

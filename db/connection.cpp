@@ -42,8 +42,11 @@ void translated(const fs::path& path, const std::function<void()>& body) {
   try {
     body();
   } catch (const SQLite::Exception& error) {
-    throw Error(
-        fmt::format("database {}: {}{}", path.string(), error.what(), mend(error.getErrorCode())));
+    const std::string text =
+        fmt::format("database {}: {}{}", path.string(), error.what(), mend(error.getErrorCode()));
+    // An I/O error without a full disk is told as such by the next write.
+    if (error.getErrorCode() == SQLITE_FULL) throw FullError(text);
+    throw Error(text);
   }
 }
 
@@ -51,7 +54,7 @@ void require_openable(const fs::path& path, Access access) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored))
     throw Error(fmt::format("database {}: it is a folder; give a file to --db", path.string()));
-  if (access == Access::read && !fs::exists(path, ignored))
+  if (access != Access::write && !fs::exists(path, ignored))
     throw Error(
         fmt::format("database {}: there is no such file; `eerie run SWEEP --db {}` makes it",
                     path.string(), path.string()));
@@ -63,8 +66,8 @@ void require_openable(const fs::path& path, Access access) {
 Connection::Connection(fs::path path, Access access) : path_(std::move(path)) {
   require_openable(path_, access);
   translated(path_, [&] {
-    const int flags = access == Access::read ? SQLite::OPEN_READONLY
-                                             : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
+    const int flags = access == Access::write ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE
+                                              : SQLite::OPEN_READONLY;
     database_ = std::make_unique<SQLite::Database>(path_.string(), flags, busy_timeout_ms);
     require_ours(*database_, path_.string());
     if (access == Access::write) {
@@ -72,7 +75,7 @@ Connection::Connection(fs::path path, Access access) : path_(std::move(path)) {
       database_->exec(
           "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
       migrate(*database_);
-    } else {
+    } else if (access == Access::read) {
       require_current(*database_, path_.string());
     }
   });

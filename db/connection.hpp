@@ -12,8 +12,9 @@ class Database;
 namespace eerie::db {
 
 enum class Access {
-  read,   ///< the file must exist and have this program's schema
-  write,  ///< the file is created where missing and brought to this program's schema
+  read,      ///< the file must exist and have this program's schema
+  read_any,  ///< the file must exist; its schema may be older
+  write,     ///< the file is created where missing and brought to this program's schema
 };
 
 /// One open database: WAL, foreign keys on, a busy timeout instead of "database is locked".

@@ -10,6 +10,11 @@ struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The disk is full: nothing was written, and the same call may succeed later.
+struct FullError : Error {
+  using Error::Error;
+};
+
 /// Another manager holds the database; the text says which.
 struct LockedError : Error {
   using Error::Error;

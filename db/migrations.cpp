@@ -9,14 +9,16 @@
 
 #include "db/error.hpp"
 #include "db/schema.hpp"
+#include "db/schema_2.hpp"
 
 namespace eerie::db {
 namespace {
 
 constexpr int application_id = 0x65657269;  // "eeri"
 
-constexpr std::array<Migration, 1> steps = {{
+constexpr std::array<Migration, 2> steps = {{
     {1, schema_1},
+    {2, schema_2},
 }};
 
 int pragma(SQLite::Database& database, const char* name) {
@@ -45,7 +47,7 @@ void require_current(SQLite::Database& database, const std::string& path) {
   if (const int version = pragma(database, "user_version"); version < latest_version())
     throw Error(
         fmt::format("database {}: its schema has version {} and this program reads version {}; "
-                    "the next `eerie run` with it brings it up to date",
+                    "`eerie run`, `daemon` or `doctor --fix` with it brings it up to date",
                     path, version, latest_version()));
 }
 

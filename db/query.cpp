@@ -143,20 +143,63 @@ std::vector<SweepStatus> sweep_status(const Connection& connection) {
   connection.read([&](SQLite::Database& sql) {
     SQLite::Statement select(sql, R"(
         SELECT s.id, s.name, s.created, j.state, count(*),
-               sum(CASE WHEN j.state IN ('pending', 'running') THEN j.expected_particle_steps ELSE 0 END)
+               sum(CASE WHEN j.state IN ('pending', 'running') THEN j.expected_particle_steps ELSE 0 END),
+               sum(j.state = 'pending' AND j.wanted <> 'run')
         FROM sweeps s JOIN sweep_jobs sj ON sj.sweep_id = s.id JOIN jobs j ON j.id = sj.job_id
         GROUP BY s.id, j.state ORDER BY s.id)");
     while (select.executeStep()) {
       const std::int64_t id = select.getColumn(0).getInt64();
-      if (rows.empty() || rows.back().id != id)
-        rows.push_back(
-            {id, select.getColumn(1).getString(), select.getColumn(2).getString(), {}, 0});
+      if (rows.empty() || rows.back().id != id) {
+        rows.emplace_back();
+        rows.back().id = id;
+        rows.back().name = select.getColumn(1).getString();
+        rows.back().created = select.getColumn(2).getString();
+      }
       rows.back().jobs[enumerator<JobState>(job_state_names, select.getColumn(3).getString())] =
           select.getColumn(4).getInt64();
       rows.back().particle_steps_left += select.getColumn(5).getDouble();
+      rows.back().paused += select.getColumn(6).getInt64();
+    }
+    SQLite::Statement stale(sql, R"(
+        SELECT sj.sweep_id, count(*) FROM job_results r JOIN sweep_jobs sj ON sj.job_id = r.job_id
+        WHERE r.solver_version <> (SELECT value FROM settings WHERE key = 'solver_version')
+        GROUP BY sj.sweep_id)");
+    while (stale.executeStep())
+      for (SweepStatus& row : rows)
+        if (row.id == stale.getColumn(0).getInt64()) row.stale = stale.getColumn(1).getInt64();
+  });
+  return rows;
+}
+
+std::vector<AttemptRow> attempts(const Connection& connection, std::int64_t job) {
+  std::vector<AttemptRow> rows;
+  connection.read([&](SQLite::Database& sql) {
+    SQLite::Statement select(sql, "SELECT * FROM attempts WHERE job_id = ? ORDER BY id");
+    bind_all(select, job);
+    const auto text = [&](const char* column) { return select.getColumn(column).getString(); };
+    while (select.executeStep()) {
+      AttemptRow row{text("host"),  text("worker"),      text("version"),      text("started"),
+                     text("ended"), text("exit_reason"), text("failure_kind"), text("message")};
+      row.core_seconds = number(select.getColumn("core_seconds"));
+      row.particle_steps = number(select.getColumn("particle_steps"));
+      if (const SQLite::Column peak = select.getColumn("peak_memory_bytes"); !peak.isNull())
+        row.peak_memory_bytes = peak.getInt64();
+      rows.push_back(std::move(row));
     }
   });
   return rows;
+}
+
+std::vector<std::string> sweeps_of(const Connection& connection, std::int64_t job) {
+  std::vector<std::string> names;
+  connection.read([&](SQLite::Database& sql) {
+    SQLite::Statement select(sql,
+                             "SELECT name FROM sweeps JOIN sweep_jobs ON sweep_id = id WHERE "
+                             "job_id = ? ORDER BY id");
+    bind_all(select, job);
+    while (select.executeStep()) names.push_back(select.getColumn(0).getString());
+  });
+  return names;
 }
 
 std::vector<FailureGroup> failures(const Connection& connection,

@@ -69,6 +69,8 @@ struct SweepStatus {
   std::int64_t id = 0;
   std::string name, created;
   std::map<JobState, std::int64_t> jobs;
+  std::int64_t paused = 0;         ///< of the pending ones
+  std::int64_t stale = 0;          ///< of those done: made by another solver version
   double particle_steps_left = 0;  ///< expected, of pending and running jobs
 };
 std::vector<SweepStatus> sweep_status(const Connection& connection);
@@ -97,6 +99,17 @@ struct Speed {
   }
 };
 Speed speed(const Connection& connection);
+
+/// One attempt at a job.
+struct AttemptRow {
+  std::string host, worker, version, started, ended, exit_reason, failure_kind, message;
+  std::optional<double> core_seconds = {}, particle_steps = {};
+  std::optional<std::int64_t> peak_memory_bytes = {};
+};
+std::vector<AttemptRow> attempts(const Connection& connection, std::int64_t job);
+
+/// Names of the sweeps that a job belongs to.
+std::vector<std::string> sweeps_of(const Connection& connection, std::int64_t job);
 
 /// When the newest result of the sweep was committed, in seconds since 1970; 0 without any.
 double newest_result(const Connection& connection, std::int64_t sweep);

@@ -24,12 +24,20 @@ struct NewJob {
   double expected_particle_steps = 0;
 };
 
+/// What the user wants of a job, beside what is seen of it.
+enum class Wanted { run, pause, cancel };
+inline constexpr std::array<std::string_view, 3> wanted_names = {"run", "pause", "cancel"};
+
 /// A row of `jobs`, without its scene.
 struct Job {
   std::int64_t id = 0;
   std::string hash;
   JobState state = JobState::pending;
+  Wanted wanted = Wanted::run;
+  int priority = 0;
   int crashes = 0;
+  std::optional<double> wall_limit_s = {};
+  double wall_s = 0;  ///< since it was last set to pending by hand
   double q = 0, phi_d_deg = 0, v_imp_cm_per_s = 0, theta_imp_deg = 0;
   double expected_particle_steps = 0;
 };
@@ -41,9 +49,10 @@ inline constexpr std::array<std::string_view, 5> exit_reason_names = {"finished"
 /// How one attempt at a job ended. Unknown numbers stay empty.
 struct AttemptEnd {
   ExitReason reason = ExitReason::lost;
-  std::string failure_kind, message;
+  std::string failure_kind = {}, message = {};
   std::optional<double> core_seconds = {}, particle_steps = {};
   std::optional<std::int64_t> peak_memory_bytes = {};
+  double wall_s = 0;  ///< that the worker was seen at work
 };
 
 /// A row of `job_results`.

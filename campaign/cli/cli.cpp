@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "campaign/cli/command_list.hpp"
 #include "campaign/cli/commands.hpp"
 #include "campaign/provenance.hpp"
 #include "campaign/worker.hpp"
@@ -15,27 +16,6 @@
 
 namespace eerie::cli {
 namespace {
-
-using Action = std::function<int()>;
-constexpr int most_threads = 4096;
-
-void add_database(CLI::App& app, std::filesystem::path& database) {
-  database = "eerie.sqlite";
-  app.add_option("--db", database, "database file")->capture_default_str();
-}
-void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
-  app.add_option("--set", overrides, "override a field of the scene, PATH=VALUE; may be repeated")
-      ->allow_extra_args(false);
-}
-void add_share(CLI::App& app, int& workers, int& threads_per_job) {
-  app.add_option("--workers", workers,
-                 "jobs at a time (default: measured, as many as work fastest)")
-      ->check(CLI::Range(1, most_threads));
-  app.add_option("--threads-per-job", threads_per_job,
-                 "threads of each job (default: measured, or 1 where --workers is given)")
-      ->check(CLI::Range(1, most_threads));
-}
-void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "print JSON"); }
 
 // Each function adds one command's options and gives what the command does. The arguments live
 // as long as the action.
@@ -48,6 +28,7 @@ Action add_run(CLI::App& app) {
   add_overrides(app, a->overrides);
   app.add_option("--map", a->maps, "draw the b/a map into this file too (.png, .svg or .pdf)");
   app.add_flag("--retry-failed", a->retry_failed, "run the sweep's failed jobs again");
+  add_engine(app, a->engine);
   add_json(app, a->json);
   return [a] { return run(*a); };
 }
@@ -80,13 +61,6 @@ Action add_analyse(CLI::App& app) {
   app.add_option("SNAPSHOT", a->snapshot, "snapshot file (.hdf5)")->required();
   add_json(app, a->json);
   return [a] { return analyse(*a); };
-}
-
-Action add_status(CLI::App& app) {
-  auto a = std::make_shared<StatusArguments>();
-  add_database(app, a->database);
-  add_json(app, a->json);
-  return [a] { return status(*a); };
 }
 
 Action add_query(CLI::App& app) {
@@ -165,10 +139,44 @@ constexpr Command commands[] = {
      "  eerie analyse impact/snapshot_0000.hdf5\n"
      "  eerie analyse impact/snapshot_0000.hdf5 --json",
      add_analyse},
-    {"status", "Count the jobs of each sweep and group the failures",
+    {"daemon", "Work on whatever is submitted to a database, until told to stop",
+     "  eerie daemon --db campaign.sqlite\n"
+     "  eerie daemon --db campaign.sqlite --workers 4 --threads-per-job 2\n"
+     "  eerie daemon --db campaign.sqlite --scheduler slurm --profile cluster.json --jobs-dir "
+     "/scratch/me/jobs",
+     add_daemon},
+    {"submit", "Add a sweep to a database, for the daemon or a later run",
+     "  eerie submit sweeps/table2-fig2b.json --db campaign.sqlite\n"
+     "  eerie submit urgent.json --priority 10 --wall-limit 2h",
+     add_submit},
+    {"pause", "Start no more of these jobs; running ones stop with a checkpoint",
+     "  eerie pause --sweep table2-fig2b\n"
+     "  eerie pause --v 30:40 --theta 5",
+     add_pause},
+    {"resume", "Let paused jobs go on", "  eerie resume --sweep table2-fig2b", add_resume},
+    {"cancel", "Give up jobs that have no result", "  eerie cancel 3f9a20c1", add_cancel},
+    {"retry", "Try failed and cancelled jobs again, or rerun stale results",
+     "  eerie retry --all\n"
+     "  eerie retry --stale --sweep table2-fig2b",
+     add_retry},
+    {"priority", "Let jobs come earlier or later", "  eerie priority 10 --v 20 --theta 15",
+     add_priority},
+    {"wall-limit", "Limit the wall time of jobs", "  eerie wall-limit 2h --sweep table2-fig2b",
+     add_wall_limit},
+    {"status", "Count the jobs of each sweep, say what is left, group the failures",
      "  eerie status\n"
+     "  eerie status --watch\n"
      "  eerie status --db fig2b.sqlite --json",
      add_status},
+    {"show", "Show a job: its scene, results, attempts, files and where they come from",
+     "  eerie show 3f9a20c1\n"
+     "  eerie show 3f9a20c1 --json",
+     add_show},
+    {"log", "Print the log of a job", "  eerie log 3f9a20c1\n  eerie log 3f9a20c1 -f", add_log},
+    {"doctor", "Look for damage: database, job directories, disk, versions",
+     "  eerie doctor\n"
+     "  eerie doctor --fix",
+     add_doctor},
     {"query", "List results",
      "  eerie query --eer\n"
      "  eerie query --phi-d 40 --v 18:22 --theta 15 --format csv\n"

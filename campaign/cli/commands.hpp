@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "db/query.hpp"
+#include "campaign/cli/engine.hpp"
 
 namespace eerie::cli {
 
@@ -18,6 +18,7 @@ struct RunArguments {
   std::vector<std::string> overrides;
   std::vector<std::filesystem::path> maps;  ///< besides the two beside the database
   bool retry_failed = false;
+  EngineArguments engine;
   bool json = false;
 };
 int run(const RunArguments& arguments);
@@ -43,12 +44,6 @@ struct AnalyseArguments {
   bool json = false;
 };
 int analyse(const AnalyseArguments& arguments);
-
-struct StatusArguments {
-  std::filesystem::path database;
-  bool json = false;
-};
-int status(const StatusArguments& arguments);
 
 struct QueryArguments {
   std::filesystem::path database;
@@ -78,8 +73,5 @@ struct ConvergeArguments {
   bool json = false;
 };
 int converge(const ConvergeArguments& arguments);
-
-/// "18:22" -> {18, 22}; "20" -> {20, 20}. Throws InputError naming `option`.
-db::Range parse_range(const std::string& text, const std::string& option);
 
 }  // namespace eerie::cli

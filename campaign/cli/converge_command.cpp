@@ -55,7 +55,7 @@ std::string table_of(const std::vector<StudyCell>& cells) {
 
 std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResult>& results,
                                 const std::vector<StudyCell>& cells, const fs::path& folder,
-                                const fs::path& database) {
+                                const JobFolder& jobs) {
   std::vector<fs::path> files = {folder / "runs.csv", folder / "convergence.csv"};
   install_text(files[0], runs_csv(results));
   install_text(files[1], cells_csv(cells));
@@ -66,7 +66,7 @@ std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResul
   };
   for (const Study::Case& one : study.cases) {
     draw(one.name, figure_of(study, one, cells));
-    draw(one.name + "-diagnosis", diagnosis_figure(study, one, results, database));
+    draw(one.name + "-diagnosis", diagnosis_figure(study, one, results, jobs));
   }
   return files;
 }
@@ -105,7 +105,8 @@ int converge(const ConvergeArguments& a) {
                                  a.study.string(), a.database.string()));
   make_folder_of(a.folder / "runs.csv");
   const std::vector<StudyCell> cells = cells_of(study, results);
-  const std::vector<fs::path> files = write_all(study, results, cells, a.folder, a.database);
+  const std::vector<fs::path> files =
+      write_all(study, results, cells, a.folder, job_folder(connection));
   if (a.json) {
     json names = json::array();
     for (const fs::path& file : files) names.push_back(file.string());

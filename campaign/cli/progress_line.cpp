@@ -20,9 +20,15 @@ std::string progress_text(const CampaignView& view, bool with_bar) {
   }
   text += fmt::format("{}/{} done", view.done, view.total);
   if (view.failed > 0) text += fmt::format(", {} failed", view.failed);
-  text += fmt::format(", {} running", view.running);
+  if (view.paused > 0) text += fmt::format(", {} paused", view.paused);
+  return text + ", " + progress_tail(view);
+}
+
+std::string progress_tail(const CampaignView& view) {
+  std::string text = fmt::format("{} running", view.running);
   if (view.stopping)
     return text + " | stopping: workers write their checkpoints (Ctrl-C again: at once)";
+  if (!view.waiting_for.empty()) return text + " | waiting: " + view.waiting_for;
   if (view.particle_steps_per_s > 0)
     text += fmt::format(" | {} particle-steps/s", magnitude(view.particle_steps_per_s));
   if (view.eta_s >= 0) text += " | ETA " + duration(view.eta_s);

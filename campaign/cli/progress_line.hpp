@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-#include "campaign/run_loop.hpp"
+#include "campaign/manager.hpp"
 
 namespace eerie::cli {
 
@@ -23,5 +23,7 @@ class ProgressLine {
 
 /// "[######----] 3/15 done, 1 failed, 2 running | 1.9 M particle-steps/s | ETA 3 min 20 s".
 std::string progress_text(const CampaignView& view, bool with_bar);
+/// The part from "2 running" on.
+std::string progress_tail(const CampaignView& view);
 
 }  // namespace eerie::cli

@@ -5,6 +5,7 @@
 
 #include "analysis/outcome.hpp"
 #include "campaign/cli/commands.hpp"
+#include "campaign/cli/options.hpp"
 #include "campaign/cli/result_columns.hpp"
 #include "solver/base/error.hpp"
 
@@ -29,31 +30,7 @@ db::ResultFilter filter_of(const QueryArguments& a) {
   return filter;
 }
 
-double parse_number(const std::string& text, const std::string& whole, const std::string& option) {
-  std::size_t used = 0;
-  double value = 0;
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::logic_error&) {
-    used = 0;
-  }
-  if (used == 0 || used != text.size())
-    throw InputError(fmt::format("{} {}: must be LO:HI or one number; for example {} 18:22", option,
-                                 whole, option));
-  return value;
-}
-
 }  // namespace
-
-db::Range parse_range(const std::string& text, const std::string& option) {
-  const std::size_t colon = text.find(':');
-  const double lo = parse_number(text.substr(0, colon), text, option);
-  const double hi =
-      colon == std::string::npos ? lo : parse_number(text.substr(colon + 1), text, option);
-  if (hi < lo)
-    throw InputError(fmt::format("{} {}: LO is greater than HI; swap them", option, text));
-  return {lo, hi};
-}
 
 int query(const QueryArguments& a) {
   const db::ResultFilter filter = filter_of(a);

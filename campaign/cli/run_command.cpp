@@ -87,7 +87,7 @@ void print_report(const db::Connection& connection, const RunArguments& a, std::
   fmt::print("\n");
   for (const db::FailureGroup& f : db::failures(connection, sweep))
     fmt::print("failed: {} x {}; for example {}: {}\n", f.jobs, f.kind,
-               job_directory(a.database, f.example_hash).path.string(), f.example_message);
+               job_folder(connection).of(f.example_hash).path.string(), f.example_message);
   if (t.failed > 0) fmt::print("run again with --retry-failed to try the failed jobs once more\n");
   fmt::print("database: {}\n", a.database.string());
   for (const fs::path& picture : pictures) fmt::print("map:      {}\n", picture.string());
@@ -100,11 +100,13 @@ int run(const RunArguments& a) {
   const std::vector<Scene> scenes = eerie::expand(sweep);
   const std::vector<db::NewJob> jobs = jobs_of(scenes);
   require_drawable(a.maps, jobs);
+  require_consistent(a.engine);
   catch_stop_signals();
   hold_signals();
   make_folder_of(a.database);
   const db::Lock lock(a.database);
   db::Connection connection(a.database, db::Access::write);
+  if (!a.engine.jobs_dir.empty()) choose_job_folder(connection, a.engine.jobs_dir);
   const db::AddedSweep added = db::add_sweep(connection, sweep.name, document(sweep), jobs);
   if (a.retry_failed) db::retry_failed(connection, added.sweep);
 
@@ -118,7 +120,8 @@ int run(const RunArguments& a) {
     std::fflush(stdout);
   }
   if (before.left > 0) print_warnings(cautions(scenes));
-  if (before.left > 0) work(connection, {a.workers, a.threads_per_job, a.json}, added.sweep);
+  if (before.left > 0)
+    work(connection, {a.workers, a.threads_per_job, a.json}, added.sweep, a.engine);
 
   const Tally after = tally(connection, added.sweep);
   std::vector<fs::path> pictures;
@@ -134,8 +137,14 @@ int run(const RunArguments& a) {
   else
     print_report(connection, a, added.sweep, after, pictures);
   if (!no_pictures.empty()) throw EnvironmentError(no_pictures);
+  if (after.left > 0 && after.left == after.paused) {
+    fmt::print(stderr, "{} jobs are paused; `eerie resume` lets them go on\n", after.paused);
+    return static_cast<int>(after.failed > 0 ? ExitCode::job_failed : ExitCode::done);
+  }
   if (after.left > 0) {
-    fmt::print(stderr, "stopped; the same command goes on from the checkpoints\n");
+    fmt::print(
+        stderr, "stopped; the same command goes on{}\n",
+        a.engine.is_local() ? " from the checkpoints" : "; what is in Slurm's queue stays there");
     return stopped_by_signal;
   }
   return static_cast<int>(after.failed > 0 ? ExitCode::job_failed : ExitCode::done);

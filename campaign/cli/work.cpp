@@ -8,9 +8,10 @@
 
 #include "campaign/cli/progress_line.hpp"
 #include "campaign/local_processes.hpp"
-#include "campaign/run_loop.hpp"
+#include "campaign/manager.hpp"
 #include "campaign/signals.hpp"
 #include "campaign/split.hpp"
+#include "campaign/status_file.hpp"
 #include "db/jobs.hpp"
 #include "solver/base/error.hpp"
 
@@ -69,28 +70,29 @@ void make_folder_of(const fs::path& file) {
                                        file.parent_path().string(), problem.message()));
 }
 
-void work(db::Connection& connection, const Share& share, std::int64_t sweep) {
-  const Split split =
-      choose_split(share, db::jobs(connection, {sweep, db::JobState::pending}), connection);
-  LocalProcesses processes(split.jobs, split.threads);
-  RunLoop loop(connection, processes, sweep);
+void work(db::Connection& connection, const Share& share, std::int64_t sweep,
+          const EngineArguments& engine) {
+  Split split;
+  if (engine.is_local())
+    split = choose_split(share, db::jobs(connection, {sweep, db::JobState::pending}), connection);
+  open_manager_log(connection.path(), false);
+  const auto scheduler = make_scheduler(engine, connection, split.jobs, split.threads);
+  ManagerOptions options = manager_options(engine);
+  options.sweep = sweep;
+  Manager manager(connection, *scheduler, options);
   ProgressLine line;
-  loop.run(stop_requests, [&](const CampaignView& view) { line.show(view); });
+  StatusFile status(connection.path());
+  manager.run(stop_requests, [&](const CampaignView& view) {
+    line.show(view);
+    status.show(view);
+  });
   line.finish();
 }
 
 Tally tally(const db::Connection& connection, std::int64_t sweep) {
-  Tally t;
-  for (const db::Job& job : db::jobs(connection, {sweep, std::nullopt})) {
-    ++t.total;
-    if (job.state == db::JobState::done)
-      ++t.done;
-    else if (job.state == db::JobState::failed)
-      ++t.failed;
-    else if (job.state != db::JobState::cancelled)
-      ++t.left;
-  }
-  return t;
+  const db::JobCounts counts = db::count_jobs(connection, sweep);
+  return {counts.total(), counts[db::JobState::done], counts[db::JobState::failed],
+          counts[db::JobState::pending] + counts[db::JobState::running], counts.paused};
 }
 
 }  // namespace eerie::cli

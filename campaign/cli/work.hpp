@@ -2,15 +2,12 @@
 
 #include <filesystem>
 
+#include "campaign/cli/engine.hpp"
 #include "db/connection.hpp"
-#include "db/query.hpp"
 
 namespace eerie::cli {
 
 inline constexpr int stopped_by_signal = 130;  // 128 + SIGINT, as shells expect
-
-/// Of one core of a desktop machine, where a database has measured nothing yet.
-inline constexpr db::Speed assumed_speed{1, 1e6, 0};
 
 /// How the user wants the cores shared; 0: chosen.
 struct Share {
@@ -23,10 +20,12 @@ void make_folder_of(const std::filesystem::path& file);
 
 /// Runs the pending jobs of a sweep until none is left or a stop is asked for, with a progress
 /// line. The caller holds the database's lock.
-void work(db::Connection& connection, const Share& share, std::int64_t sweep);
+void work(db::Connection& connection, const Share& share, std::int64_t sweep,
+          const EngineArguments& engine = {});
 
 struct Tally {
   std::size_t total = 0, done = 0, failed = 0, left = 0;
+  std::size_t paused = 0;  ///< of those left
 };
 Tally tally(const db::Connection& connection, std::int64_t sweep);
 

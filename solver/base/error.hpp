@@ -18,6 +18,11 @@ struct EnvironmentError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// There is no room on a disk: the same may succeed later.
+struct DiskFullError : EnvironmentError {
+  using EnvironmentError::EnvironmentError;
+};
+
 /// The computation itself went wrong: NaN, negative density, lost particle (exit 1).
 struct NumericalError : std::runtime_error {
   NumericalError(std::string kind_, long step_, long particle_id_, const std::string& text)

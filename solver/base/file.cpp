@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "solver/base/disk.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie {
@@ -55,9 +56,12 @@ void install_file(const fs::path& path, const std::function<void(const fs::path&
     sync_path(temporary, O_RDONLY);
     if (::rename(temporary.c_str(), path.c_str()) != 0) fail("install", path);
     sync_path(folder, O_RDONLY | O_DIRECTORY);
-  } catch (...) {
+  } catch (const std::exception& error) {
+    // Asked while the part that was written still takes its room: libraries below keep no errno.
+    const bool full = !has_room(folder, 1 << 16);
     std::error_code ignored;
     fs::remove(temporary, ignored);
+    if (full) throw DiskFullError(fmt::format("{}; the disk is full", error.what()));
     throw;
   }
 }

@@ -27,7 +27,7 @@ TEST(DocumentedSql, RunsAndFindsTheResultsThatAreThere) {
   const test::TemporaryFolder folder;
   Connection connection(folder / "a.sqlite", Access::write);
   add_sweep(connection, "s", "{}", test::sample_jobs(1));
-  begin_attempt(connection, 1, "here", 1, "0.1.0");
+  begin_attempts(connection, std::vector{Start{1, "here", "1", "0.1.0"}});
   finish(connection, 1, test::ended(ExitReason::finished), test::sample_result(0.24),
          std::vector<Remnant>{
              Remnant{.rank = 1, .mass_over_total = 0.97, .b_over_a = 0.24, .eer = true}});

@@ -76,12 +76,12 @@ TEST_F(Jobs, KeepTheirScenes) {
 
 TEST_F(Jobs, GoThroughAttemptsToAResult) {
   add_sweep(connection, "s", "{}", sample_jobs(1));
-  begin_attempt(connection, 1, "here", 100, "0.1.0");
+  begin_attempts(connection, std::vector{Start{1, "here", "100", "0.1.0"}});
   EXPECT_EQ(job(1).state, JobState::running);
   end_attempt(connection, 1, ended(ExitReason::crashed), JobState::pending);
   EXPECT_EQ(job(1).state, JobState::pending);
   EXPECT_EQ(job(1).crashes, 1);
-  begin_attempt(connection, 1, "here", 101, "0.1.0");
+  begin_attempts(connection, std::vector{Start{1, "here", "101", "0.1.0"}});
   finish(connection, 1, ended(ExitReason::finished), sample_result(0.24),
          std::vector<Remnant>{Remnant{.rank = 1}, Remnant{.rank = 2}});
   EXPECT_EQ(job(1).state, JobState::done);
@@ -91,7 +91,7 @@ TEST_F(Jobs, GoThroughAttemptsToAResult) {
 
 TEST_F(Jobs, StayAsTheyWereWhenTheirResultCannotBeCommitted) {
   add_sweep(connection, "s", "{}", sample_jobs(1));
-  begin_attempt(connection, 1, "here", 100, "0.1.0");
+  begin_attempts(connection, std::vector{Start{1, "here", "100", "0.1.0"}});
   const std::vector<Remnant> two_of_one_rank(2, Remnant{.rank = 1});
   EXPECT_THROW(
       finish(connection, 1, ended(ExitReason::finished), sample_result(0.24), two_of_one_rank),
@@ -110,7 +110,7 @@ TEST_F(Jobs, FinishedTwiceHaveOneResult) {
 
 TEST_F(Jobs, ThatFailedAreTriedAgainOnRequestWithACleanSlate) {
   const AddedSweep sweep = add_sweep(connection, "s", "{}", sample_jobs(2));
-  begin_attempt(connection, 1, "here", 100, "0.1.0");
+  begin_attempts(connection, std::vector{Start{1, "here", "100", "0.1.0"}});
   end_attempt(connection, 1, ended(ExitReason::crashed), JobState::failed);
   EXPECT_EQ(retry_failed(connection, sweep.sweep + 1), 0u);
   EXPECT_EQ(retry_failed(connection, sweep.sweep), 1u);

@@ -21,7 +21,7 @@ class Query : public testing::Test {
     for (const Job& job : jobs(connection, {})) {
       const double v = job.v_imp_cm_per_s;
       if (v > 18) continue;
-      begin_attempt(connection, job.id, "here", 1, "0.1.0");
+      begin_attempts(connection, std::vector{Start{job.id, "here", "1", "0.1.0"}});
       AttemptEnd failure = ended(ExitReason::failed);
       failure.failure_kind = "not-finite";
       failure.message = "particle 7";

@@ -1,4 +1,4 @@
-#include "campaign/run_loop.hpp"
+#include "campaign/manager.hpp"
 
 #include <gmock/gmock.h>
 
@@ -76,7 +76,7 @@ class ScriptedWorkers : public Scheduler {
   std::vector<WorkerEnd> ended_;
 };
 
-class RunLoopOn : public testing::Test {
+class ManagerOn : public testing::Test {
  protected:
   void SetUp() override { add(3); }
 
@@ -89,12 +89,12 @@ class RunLoopOn : public testing::Test {
     sweep = db::add_sweep(connection, "s", "{}", jobs).sweep;
   }
   CampaignView work(ScriptedWorkers& workers, int stop_requests = 0) {
-    RunLoop loop(connection, workers, sweep);
-    loop.run([&] { return stop_requests; }, [](const CampaignView&) {});
-    return loop.view();
+    Manager manager(connection, workers, {.sweep = sweep});
+    manager.run([&] { return stop_requests; }, [](const CampaignView&) {});
+    return manager.view();
   }
   JobDirectory directory(const Scene& scene) {
-    return job_directory(connection.path(), scene_hash(scene));
+    return job_folder(connection).of(scene_hash(scene));
   }
   std::size_t in_state(db::JobState state) { return db::jobs(connection, {sweep, state}).size(); }
 
@@ -104,7 +104,7 @@ class RunLoopOn : public testing::Test {
   std::int64_t sweep = 0;
 };
 
-TEST_F(RunLoopOn, HealthyWorkersFinishesEveryJobOnce) {
+TEST_F(ManagerOn, HealthyWorkersFinishesEveryJobOnce) {
   ScriptedWorkers workers({});
   const CampaignView view = work(workers);
   EXPECT_EQ(view.done, 3u);
@@ -115,7 +115,7 @@ TEST_F(RunLoopOn, HealthyWorkersFinishesEveryJobOnce) {
   EXPECT_EQ(again.starts, 0);
 }
 
-TEST_F(RunLoopOn, ANumericalFailureGivesUpAtOnceWithTheDiagnosis) {
+TEST_F(ManagerOn, ANumericalFailureGivesUpAtOnceWithTheDiagnosis) {
   ScriptedWorkers workers({Act::fail});
   const CampaignView view = work(workers);
   EXPECT_EQ(view.failed, 1u);
@@ -127,13 +127,13 @@ TEST_F(RunLoopOn, ANumericalFailureGivesUpAtOnceWithTheDiagnosis) {
   EXPECT_THAT(causes[0].example_message, testing::HasSubstr("density is NaN"));
 }
 
-TEST_F(RunLoopOn, ACrashTriesAgain) {
+TEST_F(ManagerOn, ACrashTriesAgain) {
   ScriptedWorkers workers({Act::crash, Act::crash});
   EXPECT_EQ(work(workers).done, 3u);
   EXPECT_EQ(workers.starts, 5);
 }
 
-TEST_F(RunLoopOn, ThreeCrashesOfOneJobGiveItUp) {
+TEST_F(ManagerOn, ThreeCrashesOfOneJobGiveItUp) {
   add(1);
   sweep = db::add_sweep(connection, "one", "{}", std::vector{new_job(scenes.back())}).sweep;
   ScriptedWorkers workers({Act::crash, Act::crash, Act::crash});
@@ -142,7 +142,7 @@ TEST_F(RunLoopOn, ThreeCrashesOfOneJobGiveItUp) {
   EXPECT_EQ(db::failures(connection, sweep).at(0).kind, "signal 9");
 }
 
-TEST_F(RunLoopOn, AFailedJobThatIsRetriedForgetsItsFailure) {
+TEST_F(ManagerOn, AFailedJobThatIsRetriedForgetsItsFailure) {
   ScriptedWorkers workers({Act::fail});
   work(workers);
   db::retry_failed(connection, sweep);
@@ -151,13 +151,13 @@ TEST_F(RunLoopOn, AFailedJobThatIsRetriedForgetsItsFailure) {
   EXPECT_EQ(again.starts, 1);
 }
 
-TEST_F(RunLoopOn, ATornResultIsNotTakenForOne) {
+TEST_F(ManagerOn, ATornResultIsNotTakenForOne) {
   ScriptedWorkers workers({Act::tear_result});
   EXPECT_EQ(work(workers).done, 3u);
   EXPECT_EQ(workers.starts, 4);
 }
 
-TEST_F(RunLoopOn, ARequestToStopStartsNothingMore) {
+TEST_F(ManagerOn, ARequestToStopStartsNothingMore) {
   ScriptedWorkers workers({});
   EXPECT_EQ(work(workers, 1).done, 0u);
   EXPECT_EQ(workers.starts, 0);
@@ -165,16 +165,16 @@ TEST_F(RunLoopOn, ARequestToStopStartsNothingMore) {
   EXPECT_EQ(in_state(db::JobState::pending), 3u);
 }
 
-TEST_F(RunLoopOn, AWorkerThatWasStoppedGoesOnNextTime) {
+TEST_F(ManagerOn, AWorkerThatWasStoppedGoesOnNextTime) {
   ScriptedWorkers workers({Act::stop});
   EXPECT_EQ(work(workers).done, 3u);
   EXPECT_EQ(workers.starts, 4);
   EXPECT_EQ(db::jobs(connection, {}).at(0).crashes, 0);
 }
 
-TEST_F(RunLoopOn, AResultThatAKilledManagerDidNotNoteTakesIt) {
+TEST_F(ManagerOn, AResultThatAKilledManagerDidNotNoteTakesIt) {
   const db::Job job = db::jobs(connection, {}).at(0);
-  db::begin_attempt(connection, job.id, "here", 1, "0.1.0");
+  db::begin_attempts(connection, std::vector{db::Start{job.id, "here", "1", "0.1.0"}});
   for (const Scene& scene : scenes)
     if (scene_hash(scene) == job.hash) test::install_result(directory(scene), scene);
   ScriptedWorkers workers({});
@@ -182,38 +182,38 @@ TEST_F(RunLoopOn, AResultThatAKilledManagerDidNotNoteTakesIt) {
   EXPECT_EQ(workers.starts, 2);
 }
 
-TEST_F(RunLoopOn, AResultOfAJobThatIsStillPendingTakesIt) {
+TEST_F(ManagerOn, AResultOfAJobThatIsStillPendingTakesIt) {
   test::install_result(directory(scenes[1]), scenes[1]);
   ScriptedWorkers workers({});
   EXPECT_EQ(work(workers).done, 3u);
   EXPECT_EQ(workers.starts, 2);
 }
 
-TEST_F(RunLoopOn, ARunningJobWithoutAWorkerStartsItAgainWithoutBlame) {
+TEST_F(ManagerOn, ARunningJobWithoutAWorkerStartsItAgainWithoutBlame) {
   const db::Job job = db::jobs(connection, {}).at(0);
-  db::begin_attempt(connection, job.id, "here", 1, "0.1.0");
+  db::begin_attempts(connection, std::vector{db::Start{job.id, "here", "1", "0.1.0"}});
   ScriptedWorkers workers({});
   EXPECT_EQ(work(workers).done, 3u);
   EXPECT_EQ(workers.starts, 3);
   EXPECT_EQ(db::jobs(connection, {}).at(0).crashes, 0);
 }
 
-TEST_F(RunLoopOn, AWorkerLeftBehindByAnotherManagerIsWaitedForAndNotDoubled) {
+TEST_F(ManagerOn, AWorkerLeftBehindByAnotherManagerIsWaitedForAndNotDoubled) {
   const Scene& scene = scenes[0];
   std::filesystem::create_directories(directory(scene).path);
   auto left_behind = std::make_unique<WorkerLock>(directory(scene));
   ScriptedWorkers workers({});
-  RunLoop loop(connection, workers, sweep);
+  Manager manager(connection, workers, {.sweep = sweep});
   int rounds = 0;
-  loop.run([] { return 0; },
-           [&](const CampaignView& view) {
-             if (view.done < 2 || ++rounds < 2) return;
-             if (left_behind) {
-               test::install_result(directory(scene), scene);
-               left_behind.reset();
-             }
-           });
-  EXPECT_EQ(loop.view().done, 3u);
+  manager.run([] { return 0; },
+              [&](const CampaignView& view) {
+                if (view.done < 2 || ++rounds < 2) return;
+                if (left_behind) {
+                  test::install_result(directory(scene), scene);
+                  left_behind.reset();
+                }
+              });
+  EXPECT_EQ(manager.view().done, 3u);
   EXPECT_EQ(workers.starts, 2);
 }
 

@@ -1,0 +1,25 @@
+#include "campaign/cli/find_job.hpp"
+
+#include <fmt/format.h>
+
+#include "campaign/cli/options.hpp"
+#include "db/jobs.hpp"
+#include "solver/base/error.hpp"
+
+namespace eerie::cli {
+
+db::Job find_job(const db::Connection& connection, const std::string& word) {
+  SelectionArguments one;
+  one.jobs = {word};
+  const auto found = db::jobs(connection, {.selection = selection_of(one, "show")});
+  if (found.empty())
+    throw InputError(fmt::format("JOB = {}: no job of {} has such a hash; `eerie query` shows them",
+                                 word, connection.path().string()));
+  if (found.size() > 1)
+    throw InputError(
+        fmt::format("JOB = {}: {} jobs begin so, {} and {} among them; give more digits", word,
+                    found.size(), found[0].hash.substr(0, 16), found[1].hash.substr(0, 16)));
+  return found.front();
+}
+
+}  // namespace eerie::cli

@@ -1,0 +1,115 @@
+#include "campaign/cli/options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solver/base/error.hpp"
+
+namespace eerie::cli {
+namespace {
+
+double parse_number(const std::string& text, const std::string& whole, const std::string& option) {
+  std::size_t used = 0;
+  double value = 0;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::logic_error&) {
+    used = 0;
+  }
+  if (used == 0 || used != text.size())
+    throw InputError(fmt::format("{} {}: must be LO:HI or one number; for example {} 18:22", option,
+                                 whole, option));
+  return value;
+}
+
+/// A job is named by its hash or the first digits of it.
+void require_hash(const std::string& word) {
+  constexpr std::size_t fewest = 4, most = 64;
+  const bool hexadecimal = std::ranges::all_of(
+      word, [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+  if (!hexadecimal || word.size() < fewest || word.size() > most)
+    throw InputError(
+        fmt::format("JOB = {}: must be the first {} or more digits of a job's hash (0-9, a-f), as "
+                    "`eerie query` "
+                    "and `eerie expand --list` show them; for example 3f9a20c1",
+                    word, fewest));
+}
+
+}  // namespace
+
+void add_database(CLI::App& app, std::filesystem::path& database) {
+  database = "eerie.sqlite";
+  app.add_option("--db", database, "database file")->capture_default_str();
+}
+
+void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
+  app.add_option("--set", overrides, "override a field of the scene, PATH=VALUE; may be repeated")
+      ->allow_extra_args(false);
+}
+
+void add_share(CLI::App& app, int& workers, int& threads_per_job) {
+  app.add_option("--workers", workers,
+                 "jobs at a time (default: measured, as many as work fastest)")
+      ->check(CLI::Range(1, most_threads));
+  app.add_option("--threads-per-job", threads_per_job,
+                 "threads of each job (default: measured, or 1 where --workers is given)")
+      ->check(CLI::Range(1, most_threads));
+}
+
+void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "print JSON"); }
+
+void add_selection(CLI::App& app, SelectionArguments& a) {
+  app.add_option("JOB", a.jobs, "jobs, by the first digits of their hashes");
+  app.add_option("--sweep", a.sweep, "the jobs of the sweep of this name");
+  app.add_option("--q", a.q, "mass ratio");
+  app.add_option("--phi-d", a.phi_d_deg, "friction angle, deg");
+  app.add_option("--v", a.v, "impact speed LO:HI or one value, cm/s");
+  app.add_option("--theta", a.theta, "impact angle LO:HI or one value, deg");
+  app.add_flag("--all", a.all, "every job of the database");
+}
+
+db::Selection selection_of(const SelectionArguments& a, const std::string& command) {
+  for (const std::string& word : a.jobs) require_hash(word);
+  db::Selection s{a.sweep, a.jobs, a.q, a.phi_d_deg, {}, {}};
+  if (!a.v.empty()) s.v_imp_cm_per_s = parse_range(a.v, "--v");
+  if (!a.theta.empty()) s.theta_imp_deg = parse_range(a.theta, "--theta");
+  if (s.is_everything() && !a.all)
+    throw InputError(fmt::format(
+        "`eerie {}` needs to know which jobs: name them, or give --sweep, --q, --phi-d, --v or "
+        "--theta; --all means every job",
+        command));
+  return s;
+}
+
+double parse_duration(const std::string& text, const std::string& option) {
+  struct Unit {
+    const char* name;
+    double seconds;
+  };
+  constexpr Unit units[] = {{"", 1}, {"s", 1}, {"min", 60}, {"h", 3600}, {"d", 86400}};
+  std::size_t used = 0;
+  double value = 0;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::logic_error&) {
+    used = 0;
+  }
+  if (used > 0 && value > 0 && value < 1e9)
+    for (const Unit& unit : units)
+      if (text.substr(used) == unit.name) return value * unit.seconds;
+  throw InputError(fmt::format(
+      "{} {}: must be a positive time in s, min, h or d; for example {} 2h", option, text, option));
+}
+
+db::Range parse_range(const std::string& text, const std::string& option) {
+  const std::size_t colon = text.find(':');
+  const double lo = parse_number(text.substr(0, colon), text, option);
+  const double hi =
+      colon == std::string::npos ? lo : parse_number(text.substr(colon + 1), text, option);
+  if (hi < lo)
+    throw InputError(fmt::format("{} {}: LO is greater than HI; swap them", option, text));
+  return {lo, hi};
+}
+
+}  // namespace eerie::cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/selection.hpp"
+
+namespace eerie::cli {
+
+/// What a command does once its options are read; the arguments live as long as it.
+using Action = std::function<int()>;
+
+inline constexpr int most_threads = 4096;
+
+// Options that several commands share.
+
+void add_database(CLI::App& app, std::filesystem::path& database);
+void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
+void add_share(CLI::App& app, int& workers, int& threads_per_job);
+void add_json(CLI::App& app, bool& json);
+
+/// Jobs as words, --sweep and the conditions of `query`.
+struct SelectionArguments {
+  std::vector<std::string> jobs;
+  std::optional<std::string> sweep;
+  std::optional<double> q, phi_d_deg;
+  std::string v, theta;  ///< "LO:HI" or one number; empty: all
+  bool all = false;
+};
+void add_selection(CLI::App& app, SelectionArguments& arguments);
+/// Throws InputError for a word that is no job, and where nothing is selected without --all.
+db::Selection selection_of(const SelectionArguments& arguments, const std::string& command);
+
+/// "90", "90s", "45min", "2h", "1.5d" in seconds. Throws InputError naming `option`.
+double parse_duration(const std::string& text, const std::string& option);
+
+/// "18:22" -> {18, 22}; "20" -> {20, 20}. Throws InputError naming `option`.
+db::Range parse_range(const std::string& text, const std::string& option);
+
+}  // namespace eerie::cli
