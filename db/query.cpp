@@ -54,6 +54,8 @@ ResultRow result_row(const SQLite::Statement& row) {
   r.seed = column("seed").getInt64();
   r.end_time_s = column("end_time_s").getDouble();
   r.finished = column("finished").getString();
+  r.stale = column("stale").getInt() != 0;
+  r.stale_reason = column("stale_reason").getString();
   Result& x = r.result;
   x.outcome_class = column("class").getString();
   x.m_lr_over_m_total = column("m_lr_over_m_total").getDouble();

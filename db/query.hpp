@@ -33,6 +33,8 @@ struct ResultRow {
   double end_time_s = 0;
   Result result;
   std::string finished;
+  bool stale = false;  ///< made by another solver version than the one that works on the database
+  std::string stale_reason;
 };
 
 /// Ordered by q, phi_d, v_imp, theta_imp, seed.

@@ -52,6 +52,9 @@ constexpr Column columns[] = {
     {"solver_version", [](const ResultRow& r) { return json(r.result.solver_version); }},
     {"host", [](const ResultRow& r) { return json(r.result.host); }},
     {"finished", [](const ResultRow& r) { return json(r.finished); }},
+    {"stale", [](const ResultRow& r) { return json(r.stale); }},
+    {"stale_reason",
+     [](const ResultRow& r) { return r.stale_reason.empty() ? json() : json(r.stale_reason); }},
 };
 
 std::string csv_field(const json& value) {
@@ -104,6 +107,8 @@ std::string legend(const std::vector<ResultRow>& rows) {
     text += "+  a smaller remnant is extremely elongated\n";
   if (any([](const ResultRow& r) { return !r.result.settled; }))
     text += "~  not settled at the end: remnants will meet again; a later end.time_s tells\n";
+  if (any([](const ResultRow& r) { return r.stale; }))
+    text += "!  made by another solver version; `eerie retry --stale` repeats it\n";
   return text.empty() ? "" : "\n" + text;
 }
 
@@ -146,7 +151,7 @@ std::string results_table(const std::vector<ResultRow>& rows) {
   std::vector<std::vector<std::string>> table(1);
   for (const Parameter* parameter : shown) table[0].push_back(parameter->header);
   for (const char* header :
-       {"v cm/s", "theta deg", "class", "", "M_lr/M", "b/a", "c/a", "period h", "EER"})
+       {"v cm/s", "theta deg", "class", "", "M_lr/M", "b/a", "c/a", "period h", "EER", "job"})
     table[0].push_back(header);
   for (const ResultRow& row : rows) {
     std::vector<std::string> line;
@@ -156,7 +161,8 @@ std::string results_table(const std::vector<ResultRow>& rows) {
     for (const std::string& cell :
          {fmt::format("{}", row.v_imp_cm_per_s), fmt::format("{}", row.theta_imp_deg),
           r.outcome_class, std::string(r.settled ? "" : "~"), number(r.m_lr_over_m_total, 3),
-          number(r.b_over_a, 3), number(r.c_over_a, 3), number(r.period_h, 2), eer_mark(r)})
+          number(r.b_over_a, 3), number(r.c_over_a, 3), number(r.period_h, 2), eer_mark(r),
+          row.hash.substr(0, 8) + (row.stale ? " !" : "")})
       line.push_back(cell);
     table.push_back(std::move(line));
   }

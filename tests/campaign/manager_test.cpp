@@ -8,6 +8,7 @@
 #include "campaign/worker.hpp"
 #include "campaign/worker_lock.hpp"
 #include "db/query.hpp"
+#include "solver/base/error.hpp"
 #include "tests/campaign/job_files.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
@@ -15,16 +16,17 @@ namespace eerie {
 namespace {
 using nlohmann::json;
 
-/// What the next worker does with its directory.
-enum class Act { succeed, fail, crash, stop, tear_result };
+/// What the next worker does with its directory. One that waits goes on until it is stopped.
+enum class Act { succeed, fail, crash, stop, tear_result, disk_full, vanish, wait, old_solver };
 
 /// Workers that end at once, each as its script says.
 class ScriptedWorkers : public Scheduler {
  public:
   explicit ScriptedWorkers(std::deque<Act> script) : script_(std::move(script)) {}
 
-  std::size_t free_slots() override { return 2 - ended_.size(); }
+  std::size_t free_slots() override { return 2 - ended_.size() - waiting_.size(); }
   std::vector<std::string> start(std::span<const Task> tasks) override {
+    if (refusals > 0) --refusals, throw SchedulerUnavailable("the engine is away");
     std::vector<std::string> names;
     for (const Task& task : tasks) begin(task.job, task.directory), names.emplace_back("4711");
     return names;
@@ -33,11 +35,18 @@ class ScriptedWorkers : public Scheduler {
   std::vector<WorkerEnd> wait(std::chrono::milliseconds) override {
     return std::exchange(ended_, {});
   }
-  void stop(std::span<const Task>, StopKind kind) override {
+  void stop(std::span<const Task> tasks, StopKind kind) override {
     ++(kind == StopKind::at_once ? kills : stops);
+    for (const Task& task : tasks)
+      if (std::erase(waiting_, task.job) > 0) {
+        WorkerEnd end;
+        end.job = task.job;
+        end.exit_code = worker_stopped;
+        ended_.push_back(end);
+      }
   }
 
-  int starts = 0, stops = 0, kills = 0;
+  int starts = 0, stops = 0, kills = 0, refusals = 0;
 
  private:
   void begin(std::int64_t job, const JobDirectory& directory) {
@@ -64,6 +73,25 @@ class ScriptedWorkers : public Scheduler {
       case Act::stop:
         end.exit_code = worker_stopped;
         break;
+      case Act::disk_full:
+        end.exit_code = worker_disk_full;
+        break;
+      case Act::vanish:
+        install_text(directory.heartbeat(), "{}");
+        end.lost = true;
+        break;
+      case Act::wait:
+        install_text(directory.heartbeat(), "{}");
+        waiting_.push_back(job);
+        return;
+      case Act::old_solver: {
+        test::install_result(directory, scene);
+        json document = json::parse(read_file(directory.result()));
+        document["provenance"]["version"] = "0.0.1";
+        install_text(directory.result(), document.dump());
+        end.exit_code = 0;
+        break;
+      }
       case Act::tear_result:
         install_text(directory.result(), "{\"version\": 1, ");
         end.exit_code = 0;
@@ -74,6 +102,7 @@ class ScriptedWorkers : public Scheduler {
 
   std::deque<Act> script_;
   std::vector<WorkerEnd> ended_;
+  std::vector<std::int64_t> waiting_;
 };
 
 class ManagerOn : public testing::Test {
@@ -215,6 +244,146 @@ TEST_F(ManagerOn, AWorkerLeftBehindByAnotherManagerIsWaitedForAndNotDoubled) {
               });
   EXPECT_EQ(manager.view().done, 3u);
   EXPECT_EQ(workers.starts, 2);
+}
+
+/// A request with a new id.
+Request request(const std::string& kind, const db::Selection& selection = {}) {
+  Request r;
+  r.id = new_request_id();
+  r.kind = kind;
+  r.selection = selection;
+  return r;
+}
+
+TEST_F(ManagerOn, AFullDiskTriesAgainWithoutBlame) {
+  ScriptedWorkers workers({Act::disk_full});
+  EXPECT_EQ(work(workers).done, 3u);
+  EXPECT_EQ(workers.starts, 4);
+  EXPECT_EQ(db::jobs(connection, {}).at(0).crashes, 0);
+}
+
+TEST_F(ManagerOn, TooLittleRoomStartsNothingAndSaysWhy) {
+  ScriptedWorkers workers({});
+  Manager manager(connection, workers,
+                  {.sweep = sweep, .least_free_bytes = std::uintmax_t{1} << 62});
+  int rounds = 0;
+  CampaignView seen;
+  manager.run([&] { return ++rounds > 3 ? 1 : 0; }, [&](const CampaignView& view) { seen = view; });
+  EXPECT_EQ(workers.starts, 0);
+  EXPECT_THAT(seen.waiting_for, testing::HasSubstr("disk full"));
+}
+
+TEST_F(ManagerOn, AWorkerThatVanishedAtWorkCountsAsCrashed) {
+  ScriptedWorkers workers({Act::vanish});
+  EXPECT_EQ(work(workers).done, 3u);
+  EXPECT_EQ(db::jobs(connection, {}).at(0).crashes, 1);
+}
+
+TEST_F(ManagerOn, AnEngineThatIsAwayWaitsForIt) {
+  ScriptedWorkers workers({});
+  workers.refusals = 1;
+  Manager manager(connection, workers, {.sweep = sweep});
+  bool waited = false;
+  manager.run([&] { return waited ? 1 : 0; },
+              [&](const CampaignView& view) {
+                if (!view.waiting_for.empty()) waited = true;
+              });
+  EXPECT_TRUE(waited);
+  EXPECT_EQ(in_state(db::JobState::pending), 3u);
+}
+
+TEST_F(ManagerOn, ARequestToPauseStopsWorkersAndStartsNoMore) {
+  ScriptedWorkers workers({Act::wait, Act::wait});
+  Manager manager(connection, workers, {.sweep = sweep});
+  bool asked = false;
+  manager.run([] { return 0; },
+              [&](const CampaignView& view) {
+                if (view.running == 2 && !std::exchange(asked, true))
+                  Inbox(connection.path()).put(request("pause"));
+              });
+  EXPECT_EQ(workers.stops, 1);
+  EXPECT_EQ(workers.starts, 2);
+  EXPECT_EQ(db::count_jobs(connection, sweep).paused, 3u);
+  apply(connection, request("resume"));
+  ScriptedWorkers again({});
+  EXPECT_EQ(work(again).done, 3u);
+}
+
+TEST_F(ManagerOn, ARequestToCancelStopsTheJobForGood) {
+  ScriptedWorkers workers({Act::wait});
+  Manager manager(connection, workers, {.sweep = sweep});
+  bool asked = false;
+  manager.run([] { return 0; },
+              [&](const CampaignView& view) {
+                if (view.done == 2 && !std::exchange(asked, true))
+                  Inbox(connection.path()).put(request("cancel"));
+              });
+  EXPECT_EQ(in_state(db::JobState::cancelled), 1u);
+  EXPECT_EQ(in_state(db::JobState::done), 2u);
+}
+
+TEST_F(ManagerOn, WorkSubmittedInTheMeantimeDoesItToo) {
+  ScriptedWorkers workers({});
+  Manager manager(connection, workers, {.stays = true});
+  bool asked = false;
+  manager.run([&] { return manager.view().done == 5 ? 1 : 0; },
+              [&](const CampaignView& view) {
+                if (view.done < 3 || std::exchange(asked, true)) return;
+                Request more = request("submit");
+                more.sweep = R"({"name": "more", "grid": {"v_imp_cm_per_s": [18, 19]}})";
+                Inbox(connection.path()).put(more);
+              });
+  EXPECT_EQ(db::jobs(connection, {std::nullopt, db::JobState::done}).size(), 5u);
+}
+
+TEST_F(ManagerOn, AJobOverItsWallLimitFailsWithTheReasonAndCanBeRetried) {
+  Request limit = request("wall-limit");
+  limit.wall_limit_s = 0.5;
+  apply(connection, limit);
+  ScriptedWorkers workers({Act::wait});
+  EXPECT_EQ(work(workers).failed, 1u);
+  const auto causes = db::failures(connection, sweep);
+  ASSERT_EQ(causes.size(), 1u);
+  EXPECT_EQ(causes[0].kind, "wall-limit");
+  apply(connection, request("retry"));
+  ScriptedWorkers again({});
+  EXPECT_EQ(work(again).done, 3u);
+}
+
+TEST_F(ManagerOn, ResultsOfAnOlderSolverKeepsThemStaleUntilARerunIsAskedFor) {
+  ScriptedWorkers workers({Act::old_solver});
+  EXPECT_EQ(work(workers).done, 3u);
+  const auto stale = [&] {
+    return std::ranges::count_if(db::results(connection, {}), &db::ResultRow::stale);
+  };
+  EXPECT_EQ(stale(), 1);
+  ScriptedWorkers nothing({});
+  work(nothing);
+  EXPECT_EQ(nothing.starts, 0);
+  EXPECT_EQ(apply(connection, request("rerun-stale")).at("jobs"), 1);
+  ScriptedWorkers again({});
+  EXPECT_EQ(work(again).done, 3u);
+  EXPECT_EQ(again.starts, 1);
+  EXPECT_EQ(stale(), 0);
+}
+
+TEST_F(ManagerOn, AWorkerThatAnEarlierManagerLeftIsJudgedByItsOwnWord) {
+  const db::Job job = db::jobs(connection, {}).at(0);
+  db::begin_attempts(connection, std::vector{db::Start{job.id, "here", "1", "0.1.0"}});
+  const JobDirectory left = job_folder(connection).of(job.hash);
+  std::filesystem::create_directories(left.path);
+  install_text(left.ended(), to_json(AttemptEnded{139, 2.0, 1000, "there", 7}).dump());
+  ScriptedWorkers workers({});
+  EXPECT_EQ(work(workers).done, 3u);
+  EXPECT_EQ(db::jobs(connection, {.selection = {.hashes = {job.hash}}}).at(0).crashes, 1);
+}
+
+TEST_F(ManagerOn, AnotherFolderForJobDirectoriesWorksThere) {
+  choose_job_folder(connection, folder / "elsewhere");
+  ScriptedWorkers workers({});
+  EXPECT_EQ(work(workers).done, 3u);
+  EXPECT_FALSE(std::filesystem::exists(connection.path().string() + ".jobs"));
+  EXPECT_THROW(choose_job_folder(connection, folder / "third"), InputError);
 }
 
 }  // namespace
