@@ -22,6 +22,7 @@ struct JobDirectory {
   std::filesystem::path failure() const { return path / "failure.json"; }
   std::filesystem::path history() const { return path / "history.csv"; }
   std::filesystem::path checkpoint() const { return path / "checkpoint.hdf5"; }
+  std::filesystem::path previous_checkpoint() const { return path / "checkpoint_previous.hdf5"; }
   std::filesystem::path log() const { return path / "log.txt"; }
   std::filesystem::path worker_lock() const { return path / "worker.lock"; }
   std::filesystem::path ended() const { return path / "ended.json"; }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generated_commit.hpp"
+#include "solver/base/version.hpp"
 
 namespace eerie {
 
@@ -15,15 +16,13 @@ Provenance provenance() {
 #else
   const std::string compiler = std::string("g++ ") + __VERSION__;
 #endif
-  return {EERIE_VERSION, EERIE_COMMIT, compiler, EERIE_FLAGS, host_name()};
+  return {EERIE_VERSION, solver_version, EERIE_COMMIT, compiler, EERIE_FLAGS, host_name()};
 }
 
 nlohmann::json to_json(const Provenance& p) {
-  return {{"version", p.version},
-          {"commit", p.commit},
-          {"compiler", p.compiler},
-          {"flags", p.flags},
-          {"host", p.host}};
+  return {{"version", p.version}, {"solver_version", p.solver_version},
+          {"commit", p.commit},   {"compiler", p.compiler},
+          {"flags", p.flags},     {"host", p.host}};
 }
 
 std::string host_name() {

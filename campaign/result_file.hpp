@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/analysis.hpp"
@@ -12,8 +13,11 @@
 
 namespace eerie {
 
+/// Of result.json; raised when its meaning changes.
+inline constexpr int result_version = 2;
+
 /// The content of result.json (docs/job-directory.md): what the impact left behind, what the
-/// run cost, and where the numbers come from.
+/// run cost, where the numbers come from, and the SHA-256 of all that.
 nlohmann::json result_json(const Scene& scene, const RunSummary& summary, const Analysis& analysis);
 
 /// What a run cost and how well it kept what it must keep: the "run" part of result.json.
@@ -30,7 +34,11 @@ struct StoredResult {
   std::vector<db::Remnant> remnants;
 };
 
-/// Reads result.json. Nothing where it is missing, torn, or belongs to another scene than `hash`.
+/// A result from the text of its file. Nothing where that is torn, damaged (it has another SHA-256
+/// than it says), or belongs to another scene than `hash`.
+std::optional<StoredResult> parse_result(std::string_view text, const std::string& hash);
+
+/// Reads result.json. Nothing where it is missing or no result of the scene.
 std::optional<StoredResult> read_result(const JobDirectory& directory, const std::string& hash);
 
 }  // namespace eerie

@@ -115,6 +115,7 @@ int run_job(const JobDirectory& directory, int threads) {
     install_text(directory.result(),
                  result_json(scene, computed.summary, computed.analysis).dump(1) + "\n");
     fs::remove(directory.checkpoint());
+    fs::remove(directory.previous_checkpoint());
     spdlog::info("done: {} steps in {:.1f} s", computed.summary.progress.step,
                  computed.summary.progress.wall_s);
     return static_cast<int>(ExitCode::done);

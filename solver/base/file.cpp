@@ -11,6 +11,7 @@
 
 #include "solver/base/disk.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/kill_point.hpp"
 
 namespace eerie {
 namespace fs = std::filesystem;
@@ -33,6 +34,14 @@ void sync_path(const fs::path& path, int flags) {
   if (status != 0 && errno != EINVAL) fail("flush", path);
 }
 
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+void rename_file(const fs::path& from, const fs::path& to) {
+  if (::rename(from.c_str(), to.c_str()) != 0) fail("install", to);
+}
+
 }  // namespace
 
 std::string read_file(const fs::path& path) {
@@ -46,15 +55,25 @@ std::string read_file(const fs::path& path) {
   return text;
 }
 
-void install_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+void install_file(const fs::path& path, const std::function<void(const fs::path&)>& write,
+                  const fs::path& previous) {
+  const fs::path folder = folder_of(path);
+  const std::string name = path.filename().string();
   // The pid keeps two writers apart; the name starts with a dot so that globs pass it by.
-  const fs::path temporary =
-      folder / fmt::format(".{}.{}.tmp", path.filename().string(), ::getpid());
+  const fs::path temporary = folder / fmt::format(".{}.{}.tmp", name, ::getpid());
   try {
+    kill_point("install.before-write", name);
     write(temporary);
+    kill_point("install.before-sync", name);
     sync_path(temporary, O_RDONLY);
-    if (::rename(temporary.c_str(), path.c_str()) != 0) fail("install", path);
+    kill_point("install.before-rename", name);
+    std::error_code ignored;
+    if (!previous.empty() && fs::exists(path, ignored)) {
+      rename_file(path, previous);
+      kill_point("checkpoint.between", name);
+    }
+    rename_file(temporary, path);
+    kill_point("install.before-folder-sync", name);
     sync_path(folder, O_RDONLY | O_DIRECTORY);
   } catch (const std::exception& error) {
     // Asked while the part that was written still takes its room: libraries below keep no errno.
@@ -66,14 +85,20 @@ void install_file(const fs::path& path, const std::function<void(const fs::path&
   }
 }
 
-void install_text(const fs::path& path, std::string_view text) {
-  install_file(path, [&](const fs::path& temporary) {
+void install_text(const fs::path& path, std::string_view text, const fs::path& previous) {
+  const auto write = [&](const fs::path& temporary) {
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
     if (!out) fail("create", temporary);
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
     out.close();
     if (!out) fail("write", temporary);
-  });
+  };
+  install_file(path, write, previous);
+}
+
+void replace_file(const fs::path& from, const fs::path& to) {
+  rename_file(from, to);
+  sync_path(folder_of(to), O_RDONLY | O_DIRECTORY);
 }
 
 }  // namespace eerie

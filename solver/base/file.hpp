@@ -12,11 +12,18 @@ std::string read_file(const std::filesystem::path& path);
 
 /// Installs a file so that a reader sees the old content or the new, never a part:
 /// `write` fills a temporary file in the same folder, which is then fsynced, renamed over
-/// `path`, and the folder fsynced. Throws EnvironmentError and removes the temporary on failure.
+/// `path`, and the folder fsynced. Where `previous` is given, a former file goes on under that
+/// name: it is renamed after the new one is on the disk, so one of the two is whole at every
+/// instant. Throws EnvironmentError and removes the temporary on failure.
 void install_file(const std::filesystem::path& path,
-                  const std::function<void(const std::filesystem::path& temporary)>& write);
+                  const std::function<void(const std::filesystem::path& temporary)>& write,
+                  const std::filesystem::path& previous = {});
 
 /// install_file for text that is at hand.
-void install_text(const std::filesystem::path& path, std::string_view text);
+void install_text(const std::filesystem::path& path, std::string_view text,
+                  const std::filesystem::path& previous = {});
+
+/// Renames `from` over `to` in the same folder, and has the disk know. Throws EnvironmentError.
+void replace_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace eerie

@@ -39,9 +39,7 @@ void write_values(hid_t object, const char* name, hid_t type, hsize_t count, con
 }
 
 Handle open_attribute(hid_t object, const char* name) {
-  const htri_t there = H5Aexists(object, name);
-  if (there < 0) fail(named("looking for attribute", name));
-  if (there == 0) throw Failure(named("it has no attribute", name));
+  if (!has_attribute(object, name)) throw Failure(named("it has no attribute", name));
   return {checked(H5Aopen(object, name, H5P_DEFAULT), named("opening attribute", name)), H5Aclose};
 }
 
@@ -238,6 +236,12 @@ void write_attribute(hid_t object, const char* name, const std::string& text) {
   const Handle attribute(
       checked(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), doing), H5Aclose);
   require(H5Awrite(attribute, type, text.c_str()), doing);
+}
+
+bool has_attribute(hid_t object, const char* name) {
+  const htri_t there = H5Aexists(object, name);
+  if (there < 0) fail(named("looking for attribute", name));
+  return there > 0;
 }
 
 double read_double(hid_t object, const char* name) {

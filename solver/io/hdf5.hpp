@@ -147,6 +147,7 @@ void write_attribute(hid_t object, const char* name, std::int64_t value);
 /// A scalar string of fixed length: yt cannot read variable ones.
 void write_attribute(hid_t object, const char* name, const std::string& text);
 
+bool has_attribute(hid_t object, const char* name);
 double read_double(hid_t object, const char* name);
 std::int64_t read_integer(hid_t object, const char* name);
 std::string read_text(hid_t object, const char* name);

@@ -6,6 +6,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 #include "solver/io/hdf5.hpp"
+#include "solver/io/seal.hpp"
 #include "solver/io/snapshot.hpp"
 
 namespace eerie {
@@ -51,6 +52,15 @@ double positive(hid_t group, const char* name) {
   return value;
 }
 
+/// Files without a version are older than both it and the seal. One that has a version has lost its
+/// seal: it was cut off or overwritten.
+std::string read_solver_version(hid_t file, bool sealed) {
+  const h5::Handle group = h5::open_group(file, "State");
+  if (!h5::has_attribute(group, "SolverVersion")) return "0.1.0";
+  if (!sealed) throw Failure("it is damaged: its last line, the SHA-256 of the rest, is missing");
+  return h5::read_text(group, "SolverVersion");
+}
+
 State read_state(hid_t file, const OptionalFields& use) {
   const h5::Handle group = h5::open_group(file, "State");
   const std::int64_t version = h5::read_integer(group, "FormatVersion");
@@ -80,15 +90,21 @@ State read_state(hid_t file, const OptionalFields& use) {
 
 Scene read_scene(hid_t file) {
   const std::string text = h5::read_text(h5::open_group(file, "Parameters"), "eerie:scene");
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  // What walks over a document later on is recursive, and the stack has an end.
+  const auto shallow = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    return depth <= 32 ? true : throw Failure("its scene is nested deeper than any scene");
+  };
+  const nlohmann::json json = nlohmann::json::parse(text, shallow, false);
   if (json.is_discarded()) throw Failure("its scene is not JSON");
   return parse_scene(json);
 }
 
-Snapshot read_file_bytes(const std::string& bytes) {
+Snapshot read_file_bytes(std::string bytes) {
   const h5::Silence silence;
+  const bool sealed = take_off_seal(bytes);
   const h5::Handle file = h5::open_bytes(bytes);
   Snapshot snapshot;
+  snapshot.solver_version = read_solver_version(file, sealed);
   snapshot.scene = read_scene(file);
   const OptionalFields use = optional_fields(snapshot.scene);
   snapshot.state = read_state(file, use);
@@ -117,9 +133,9 @@ Snapshot read_snapshot(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored) && !ignored)
     throw InputError(fmt::format("{}: there is no such snapshot", path.string()));
-  const std::string bytes = read_file(path);
+  std::string bytes = read_file(path);
   try {
-    return read_file_bytes(bytes);
+    return read_file_bytes(std::move(bytes));
   } catch (const Failure& failure) {
     throw InputError(fmt::format("{} is not a usable snapshot: {}", path.string(), failure.what()));
   } catch (const InputError& error) {  // the scene inside

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "solver/base/version.hpp"
 #include "solver/particles/state.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -27,15 +29,18 @@ struct Snapshot {
   std::vector<double> pressure;  ///< Pa, EOS pressure as the momentum equation uses it
   std::optional<Rates> rates;
   std::optional<Restart> restart;
+  std::string solver_version = eerie::solver_version;  ///< that made it
 };
 
-/// Installs the file atomically (temp, fsync, rename). Equal snapshots give equal bytes. Throws
+/// Installs the file atomically (temp, fsync, rename), sealed (solver/io/seal.hpp); a former file
+/// goes on as `previous` where that is given. Equal snapshots give equal bytes. Throws
 /// EnvironmentError with the reason (disk full, no permission).
-void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot);
+void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot,
+                    const std::filesystem::path& previous = {});
 
-/// Reads and checks a file: types, shapes, checksums, finite numbers, ids, densities, the scene
-/// inside. Throws InputError naming file and fault: a torn, damaged or foreign file never passes.
-/// Throws EnvironmentError where the file is there but cannot be read.
+/// Reads and checks a file: seal, types, shapes, checksums, finite numbers, ids, densities, the
+/// scene inside. Throws InputError naming file and fault: a torn, damaged or foreign file never
+/// passes. Throws EnvironmentError where the file is there but cannot be read.
 Snapshot read_snapshot(const std::filesystem::path& path);
 
 }  // namespace eerie

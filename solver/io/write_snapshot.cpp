@@ -4,6 +4,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
+#include "solver/io/seal.hpp"
 #include "solver/io/snapshot.hpp"
 #include "solver/io/swift_layout.hpp"
 
@@ -25,9 +26,11 @@ void require_consistent(const Snapshot& snapshot) {
   if (snapshot.restart) visit_restart(*snapshot.restart, same_length);
 }
 
-h5::Handle write_state(hid_t file, const State& state) {
+h5::Handle write_state(hid_t file, const Snapshot& snapshot) {
+  const State& state = snapshot.state;
   h5::Handle group = h5::new_group(file, "State");
   h5::write_attribute(group, "FormatVersion", snapshot_format_version);
+  h5::write_attribute(group, "SolverVersion", snapshot.solver_version);
   h5::write_attribute(group, "Time", state.time);
   h5::write_attribute(group, "Step", std::int64_t{state.step});
   h5::write_attribute(group, "ParticleMass", state.mass);
@@ -44,7 +47,7 @@ void write_groups(hid_t file, const Snapshot& snapshot) {
   const h5::Handle parameters = h5::new_group(file, "Parameters");
   h5::write_attribute(parameters, "InitialConditions:periodic", std::string("0"));
   h5::write_attribute(parameters, "eerie:scene", to_json(snapshot.scene).dump());
-  const h5::Handle state = write_state(file, snapshot.state);
+  const h5::Handle state = write_state(file, snapshot);
   visit_state(snapshot.state, into(state));
   write_swift_groups(file, state, snapshot);
   write_vtkhdf_group(file, snapshot);
@@ -59,7 +62,8 @@ void write_groups(hid_t file, const Snapshot& snapshot) {
 
 }  // namespace
 
-void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot) {
+void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot,
+                    const std::filesystem::path& previous) {
   require_consistent(snapshot);
   std::string bytes;
   try {
@@ -68,7 +72,8 @@ void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot)
   } catch (const h5::Failure& failure) {
     throw EnvironmentError(fmt::format("cannot make {}: {}", path.string(), failure.what()));
   }
-  install_text(path, bytes);
+  bytes += seal(bytes);
+  install_text(path, bytes, previous);
 }
 
 }  // namespace eerie

@@ -1,7 +1,6 @@
 #include "solver/scene/scene.hpp"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/sha256.hpp"
 #include "solver/scene/scene_schema_text.hpp"
 #include "solver/scene/schemes.hpp"
 #include "solver/scene/validate.hpp"
@@ -101,16 +101,6 @@ void normalise_integers(json& node) {
     if (value == std::floor(value) && std::abs(value) < 0x1p53)
       node = static_cast<std::int64_t>(value);
   }
-}
-
-std::string sha256_hex(const std::string& text) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int length = 0;
-  if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
-    throw EnvironmentError("SHA-256 is not available in this OpenSSL");
-  std::string hex;
-  for (unsigned int i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
-  return hex;
 }
 
 /// What no single field's range can say.

@@ -9,6 +9,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/initial/bodies.hpp"
+#include "solver/step/checkpoints.hpp"
 #include "solver/step/solver.hpp"
 
 namespace eerie {
@@ -16,8 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* checkpoint_file = "checkpoint.hdf5";
-constexpr const char* final_file = "final.hdf5";
 constexpr const char* last_good_file = "last_good.hdf5";
 
 using Clock = std::chrono::steady_clock;
@@ -105,8 +104,10 @@ class Run {
     }
     {
       const StageTimer timer(solver_.stages(), Stage::output);
-      write_snapshot(options_.directory / (end == RunEnd::finished ? final_file : checkpoint_file),
-                     checkpoint());
+      if (end == RunEnd::finished)
+        write_snapshot(options_.directory / final_file, checkpoint());
+      else
+        install_checkpoint(options_.directory, checkpoint());
     }
     RunSummary summary;
     summary.end = end;
@@ -139,7 +140,8 @@ class Run {
   }
 
   Solver begin() {
-    if (std::optional<Snapshot> saved = resumable()) {
+    const auto to_log = [this](const std::string& text) { note(text); };
+    if (auto saved = newest_checkpoint(options_.directory, scene_, to_log)) {
       first_totals_ = initial_totals();
       note(
           fmt::format("going on from t = {:.0f} s, step {}", saved->state.time, saved->state.step));
@@ -150,26 +152,6 @@ class Run {
     first_totals_ = totals(scene_, solver.state());
     write_snapshot(numbered(0), {scene_, solver.state(), solver.pressure(), {}, {}});
     return solver;
-  }
-
-  /// The newest state of this very scene that can be gone on from, where there is a whole one.
-  std::optional<Snapshot> resumable() const {
-    for (const char* name : {final_file, checkpoint_file}) {
-      const fs::path path = options_.directory / name;
-      if (!fs::exists(path)) continue;
-      try {
-        Snapshot saved = read_snapshot(path);
-        if (scene_hash(saved.scene) != scene_hash(scene_))
-          note(fmt::format("{} belongs to another scene: passed over", path.string()));
-        else if (!saved.rates || !saved.restart)
-          note(fmt::format("{} is no checkpoint: passed over", path.string()));
-        else
-          return saved;
-      } catch (const InputError& error) {
-        note(fmt::format("{}: passed over", error.what()));
-      }
-    }
-    return {};
   }
 
   /// Of time 0, from the first snapshot or, where that is lost, from making the bodies again.
@@ -204,7 +186,7 @@ class Run {
       if (options_.on_history) options_.on_history(snapshot(), first_totals_);
     }
     if (seconds_since(last_checkpoint_) >= scene_.output.checkpoint_interval_s) {
-      write_snapshot(options_.directory / checkpoint_file, checkpoint());
+      install_checkpoint(options_.directory, checkpoint());
       last_checkpoint_ = Clock::now();
     }
   }

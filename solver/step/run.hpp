@@ -47,8 +47,8 @@ struct RunOptions {
   std::function<void(const std::string&)> on_note;  ///< a sentence for the log
 };
 
-/// Makes the bodies of `scene` and lets them collide, or goes on from `directory`/checkpoint.hdf5
-/// where that holds the same scene (a torn or foreign checkpoint is passed over with a note).
+/// Makes the bodies of `scene` and lets them collide, or goes on from the newest checkpoint in
+/// `directory` that holds the same scene and solver version (step/checkpoints.hpp).
 /// snapshot_0000.hdf5 is the state at time 0; final.hdf5 the last one, itself a checkpoint. The
 /// same scene gives the same bits for any number of threads and of interruptions. Throws
 /// NumericalError, after last_good.hdf5 has been written: a checkpoint of the last history row

@@ -82,7 +82,7 @@ TEST_F(ResultFile, HasNoDriftToTellForAHeadOnImpact) {
 
 TEST_F(ResultFile, TellsWhereItsNumbersComeFrom) {
   const json source = json::parse(read_file(directory.result())).at("provenance");
-  for (const char* key : {"version", "commit", "compiler", "flags", "host"})
+  for (const char* key : {"version", "solver_version", "commit", "compiler", "flags", "host"})
     EXPECT_FALSE(source.at(key).get<std::string>().empty()) << key;
   EXPECT_EQ(source.at("seed"), 1);
 }

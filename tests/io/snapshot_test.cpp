@@ -131,7 +131,8 @@ TEST(Snapshot, ArraysOfUnequalLengthAreNotWritten) {
   Snapshot snapshot = random_snapshot(200);
   snapshot.rates->drho_dt.pop_back();
   EXPECT_THROW(write_snapshot(folder / "a.hdf5", snapshot), std::logic_error);
-  EXPECT_THROW(write_snapshot(folder / "a.hdf5", Snapshot{}), std::logic_error);
+  Snapshot empty;
+  EXPECT_THROW(write_snapshot(folder / "a.hdf5", empty), std::logic_error);
   EXPECT_FALSE(std::filesystem::exists(folder / "a.hdf5"));
 }
 
