@@ -91,11 +91,13 @@ pid_t pid_in(const fs::path& file) {
   return fs::exists(file) ? static_cast<pid_t>(std::atoi(read_file(file).c_str())) : 0;
 }
 
-void end_process(pid_t pid) {
-  const auto gone = [pid] { return ::kill(pid, 0) != 0; };
-  if (pid <= 1 || gone()) return;
-  ::kill(pid, SIGTERM);
-  if (!eventually(gone, 10s)) ::kill(pid, SIGKILL);
+/// Waits for processes that were told to end; ends them where they do not.
+void end_processes(const std::vector<pid_t>& pids) {
+  for (const pid_t pid : pids) {
+    if (pid <= 1) continue;
+    const auto gone = [pid] { return ::kill(pid, 0) != 0; };
+    if (!eventually(gone, 10s)) ::kill(pid, SIGKILL);
+  }
 }
 
 }  // namespace
@@ -129,8 +131,18 @@ RealSlurm::~RealSlurm() {
   commands_.run({"scancel", "--me"}, 10s);
   // Else a slurmd that ends leaves the shepherds of its jobs behind.
   eventually([this] { return queue().empty(); }, 15s);
-  for (const char* name : {"slurmd.n1.pid", "slurmd.n2.pid", "slurmctld.pid", "munged.pid"})
-    end_process(pid_in(folder_.path() / "run" / name));
+  const fs::path run = folder_.path() / "run";
+  const std::vector<pid_t> daemons = {pid_in(run / "slurmctld.pid"), pid_in(run / "slurmd.n1.pid"),
+                                      pid_in(run / "slurmd.n2.pid")};
+  // All at once: one after another they wait for each other.
+  if (!commands_.run({"scontrol", "shutdown"}, 10s).ok())
+    for (const pid_t pid : daemons)
+      if (pid > 1) ::kill(pid, SIGTERM);
+  end_processes(daemons);
+  if (const pid_t munged = pid_in(run / "munged.pid"); munged > 1) {
+    ::kill(munged, SIGTERM);
+    end_processes({munged});
+  }
   ::unsetenv("SLURM_CONF");
 }
 
