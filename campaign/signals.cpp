@@ -34,13 +34,14 @@ sigset_t set_of(std::initializer_list<int> signals) {
 void catch_stop_signals() {
   handle(SIGINT, count_request);
   handle(SIGTERM, count_request);
+  handle(SIGUSR1, count_request);
 }
 
 int stop_requests() { return requests; }
 
 void hold_signals() {
   handle(SIGCHLD, wake);
-  const sigset_t held = set_of({SIGINT, SIGTERM, SIGCHLD});
+  const sigset_t held = set_of({SIGINT, SIGTERM, SIGUSR1, SIGCHLD});
   pthread_sigmask(SIG_BLOCK, &held, nullptr);
 }
 

@@ -4,7 +4,8 @@
 
 namespace eerie {
 
-/// Makes SIGINT and SIGTERM requests to stop instead of ends. Call once, before threads start.
+/// Makes SIGINT, SIGTERM and SIGUSR1 (a batch system's warning before its time limit) requests to
+/// stop instead of ends. Call once, before threads start.
 void catch_stop_signals();
 
 /// How often a stop was asked for since.

@@ -9,6 +9,7 @@
 #include "campaign/cli/command_list.hpp"
 #include "campaign/cli/commands.hpp"
 #include "campaign/provenance.hpp"
+#include "campaign/slurm/array_task.hpp"
 #include "campaign/worker.hpp"
 #include "db/error.hpp"
 #include "solver/base/error.hpp"
@@ -113,6 +114,12 @@ Action add_worker(CLI::App& app) {
   return [a] { return run_worker(*a); };
 }
 
+Action add_slurm_task(CLI::App& app) {
+  auto batch = std::make_shared<std::filesystem::path>();
+  app.add_option("BATCH", *batch, "folder of the batch")->required();
+  return [batch] { return run_array_task(array_task_options(*batch)); };
+}
+
 struct Command {
   const char* name;
   const char* description;
@@ -191,6 +198,7 @@ constexpr Command commands[] = {
      "  eerie converge sweeps/studies/convergence.json --draw-only -o convergence",
      add_converge},
     {"worker", "Run the job of a directory", nullptr, add_worker},
+    {"slurm-task", "Run the jobs of an array task of Slurm", nullptr, add_slurm_task},
 };
 
 /// CLI11 only says that a command is required; this says what is wrong with the word given.

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "campaign/job_directory.hpp"
+
+namespace eerie {
+
+/// A job's place in a batch.
+struct BatchJob {
+  std::int64_t job = 0;
+  JobDirectory directory;
+};
+
+/// One submission: an array job whose array tasks run some jobs each, one after another. Its
+/// folder is all that either side needs to know of it, and lives as long as the batch: an array
+/// task that starts without it does nothing.
+struct Batch {
+  std::filesystem::path folder;  ///< its last part is the batch's id
+  std::vector<std::vector<BatchJob>> array;
+  std::optional<std::int64_t> slurm_id;         ///< nothing: not known yet
+  std::filesystem::file_time_type submitted{};  ///< older news in a job directory are another's
+
+  std::string id() const { return folder.filename().string(); }
+  std::string name() const { return "eerie-" + id(); }  ///< of the job in Slurm
+  std::filesystem::path manifest() const { return folder / "manifest.json"; }
+  std::filesystem::path script() const { return folder / "batch.sh"; }
+  std::filesystem::path slurm_id_file() const { return folder / "slurm_id"; }
+  std::filesystem::path released_file() const { return folder / "released.json"; }
+  std::filesystem::path output(int index) const {
+    return folder / ("output_" + std::to_string(index) + ".txt");
+  }
+};
+
+/// The folders of batches beside the job directories.
+std::filesystem::path batches_folder(const std::filesystem::path& jobs_folder);
+
+/// A new id: in the order of time, and no two alike.
+std::string new_batch_id();
+
+/// Makes the folder with manifest and script, before the submission.
+void install_batch(Batch& batch, const std::filesystem::path& program);
+
+/// Notes under which id Slurm knows the batch.
+void install_slurm_id(Batch& batch, std::int64_t id);
+
+/// Nothing where the folder holds no readable manifest: it was never submitted, or is over.
+std::optional<Batch> read_batch(const std::filesystem::path& folder);
+
+/// Jobs that this batch no longer answers for, though its array task may start again.
+void install_released(const Batch& batch, const std::set<std::int64_t>& jobs);
+std::set<std::int64_t> read_released(const Batch& batch);
+
+/// Removes the folder, manifest first.
+void remove_batch(const Batch& batch);
+
+/// The manifest's own text: "version", and "array": a list of lists of {"job", "directory"}.
+std::string manifest_text(const Batch& batch);
+
+/// "#!/bin/sh", and the program in the shell's place so that Slurm's signals reach it.
+std::string batch_script(const std::filesystem::path& program, const std::filesystem::path& folder);
+
+}  // namespace eerie

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eerie {
+
+/// How jobs are submitted to a cluster: profile.schema.json says what each field means. An empty
+/// text leaves the choice to the cluster.
+struct SlurmProfile {
+  std::string partition, account, qos, constraint, memory;
+  std::optional<std::chrono::seconds> time_limit = {};
+  int cpus_per_task = 1;
+  std::vector<std::string> extra_sbatch_options = {};
+  std::optional<int> max_array_size = {};
+  int max_queued = 1000;
+  double minutes_per_array_task = 15;
+  int signal_before_end_s = 120;
+  double poll_interval_s = 10;
+};
+
+/// Throws InputError naming field, value, what is allowed and the mend.
+SlurmProfile parse_slurm_profile(const nlohmann::json& given, const std::string& where);
+SlurmProfile load_slurm_profile(const std::filesystem::path& path);
+
+/// A time limit as sbatch takes it ("90", "90:00", "1:30:00", "2-12", "2-12:30", "2-12:30:00"), or
+/// nothing where it is none.
+std::optional<std::chrono::seconds> parse_time_limit(const std::string& text);
+
+}  // namespace eerie

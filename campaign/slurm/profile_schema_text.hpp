@@ -1,0 +1,8 @@
+#pragma once
+
+namespace eerie {
+
+/// profile.schema.json, embedded by the build.
+extern const char* const slurm_profile_schema_text;
+
+}  // namespace eerie

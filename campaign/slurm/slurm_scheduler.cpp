@@ -1,0 +1,225 @@
+#include "campaign/slurm/slurm_scheduler.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "campaign/signals.hpp"
+#include "campaign/slurm/packing.hpp"
+#include "campaign/worker.hpp"
+#include "campaign/worker_lock.hpp"
+#include "solver/base/error.hpp"
+
+namespace eerie {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// As nodes and other managers know it.
+std::string key(const JobDirectory& directory) {
+  return fs::absolute(directory.path).lexically_normal().string();
+}
+
+fs::path checked_folder(const fs::path& folder) {
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  for (const unsigned char c : whole.string())
+    if (c == '\\' || c < ' ' || c == 127)
+      throw InputError(
+          fmt::format("the folder of jobs {}: sbatch cannot take a path with a "
+                      "backslash or a control character; give another",
+                      whole.string()));
+  return whole;
+}
+
+Batch batch_of(const fs::path& jobs_folder, std::span<const std::vector<Task>> packs) {
+  Batch batch;
+  batch.folder = batches_folder(jobs_folder) / new_batch_id();
+  for (const std::vector<Task>& pack : packs) {
+    batch.array.emplace_back();
+    for (const Task& task : pack)
+      batch.array.back().push_back({task.job, JobDirectory{key(task.directory)}});
+  }
+  return batch;
+}
+
+WorkerEnd never_started(std::int64_t job) {
+  WorkerEnd end;
+  end.job = job;
+  end.exit_code = worker_stopped;
+  return end;
+}
+
+}  // namespace
+
+SlurmScheduler::SlurmScheduler(SlurmProfile profile, const fs::path& jobs_folder)
+    : SlurmScheduler(std::move(profile), jobs_folder, std::make_shared<ChildCommands>(),
+                     fs::read_symlink("/proc/self/exe")) {}
+
+SlurmScheduler::SlurmScheduler(SlurmProfile profile, const fs::path& jobs_folder,
+                               std::shared_ptr<Commands> commands, fs::path program)
+    : profile_(std::move(profile)),
+      jobs_folder_(checked_folder(jobs_folder)),
+      program_(std::move(program)),
+      commands_(std::move(commands)),
+      cluster_(profile_, *commands_) {
+  adopt_batches();
+}
+
+void SlurmScheduler::adopt_batches() {
+  std::error_code none;
+  std::vector<fs::path> folders;
+  for (const auto& entry : fs::directory_iterator(batches_folder(jobs_folder_), none))
+    folders.push_back(entry.path());
+  std::ranges::sort(folders);
+  for (const fs::path& folder : folders) {
+    if (auto batch = read_batch(folder)) {
+      live_.emplace_back(std::move(*batch), false);
+      hold(live_.back());
+    } else {
+      fs::remove_all(folder, none);  // the rest of one that was being made or removed
+    }
+  }
+}
+
+void SlurmScheduler::hold(const LiveBatch& batch) {
+  for (const LiveBatch::ArrayTask& task : batch.array())
+    for (const LiveBatch::Job& job : task.jobs)
+      if (!job.over) ++held_[job.place.directory.path.string()];
+}
+
+std::size_t SlurmScheduler::free_slots() {
+  refresh();
+  const auto room = static_cast<std::size_t>(profile_.max_queued);
+  std::size_t queued = 0;
+  for (const LiveBatch& batch : live_) {
+    if (!batch.batch().slurm_id) return 0;  // first it must be known what became of it
+    queued += batch.array_tasks_left();
+  }
+  const std::size_t free = room - std::min(room, queued);
+  const bool trickle = queued > 0 && 4 * free < room;
+  return trickle ? 0 : std::min(free, cluster_.array_size());
+}
+
+std::vector<std::string> SlurmScheduler::start(std::span<const Task> tasks) {
+  const std::vector<std::vector<Task>> packs = packed(tasks, pack_core_seconds(profile_));
+  std::unordered_map<std::int64_t, std::string> names;
+  for (std::size_t first = 0; first < packs.size(); first += cluster_.array_size()) {
+    const auto chunk =
+        std::span(packs).subspan(first, std::min(cluster_.array_size(), packs.size() - first));
+    const std::vector<std::string> chunk_names = submit(chunk, first == 0);
+    for (std::size_t k = 0; k < chunk.size(); ++k)
+      for (const Task& task : chunk[k]) names[task.job] = chunk_names[k];
+  }
+  std::vector<std::string> in_order;
+  for (const Task& task : tasks) in_order.push_back(names.at(task.job));
+  return in_order;
+}
+
+std::vector<std::string> SlurmScheduler::submit(std::span<const std::vector<Task>> packs,
+                                                bool first) {
+  Batch batch = batch_of(jobs_folder_, packs);
+  install_batch(batch, program_);
+  const Submission submission = cluster_.submit(batch);
+  const bool accepted = submission.kind == Submission::Kind::accepted;
+  const auto id = submission.id;
+  if (accepted) install_slurm_id(batch, id);
+  if (submission.kind == Submission::Kind::refused) {
+    remove_batch(batch);
+  } else {
+    live_.emplace_back(std::move(batch), accepted || !first);
+    hold(live_.back());
+  }
+  if (!accepted && first) throw SchedulerUnavailable(submission.reason);
+  // What was submitted before stays so; these come back as stopped before they began.
+  if (submission.kind == Submission::Kind::refused)
+    for (const std::vector<Task>& pack : packs)
+      for (const Task& task : pack) ended_.push_back(never_started(task.job));
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < packs.size(); ++k)
+    names.push_back(accepted ? fmt::format("slurm {}_{}", id, k) : "slurm");
+  return names;
+}
+
+bool SlurmScheduler::holds(const Task& task) {
+  refresh();
+  return held_.contains(key(task.directory)) || WorkerLock::held(task.directory);
+}
+
+std::vector<WorkerEnd> SlurmScheduler::wait(std::chrono::milliseconds longest) {
+  refresh();
+  if (ended_.empty() && longest.count() > 0) {
+    wait_for_signal(longest);
+    refresh();
+  }
+  return std::exchange(ended_, {});
+}
+
+void SlurmScheduler::refresh() {
+  const auto now = Clock::now();
+  if (live_.empty() || now < next_poll_) return;
+  std::vector<std::string> names;
+  for (const LiveBatch& batch : live_) names.push_back(batch.batch().name());
+  const auto queue = cluster_.queue(names);
+  if (queue) {
+    std::unordered_map<std::string, Queue::const_iterator> by_name;
+    for (auto entry = queue->begin(); entry != queue->end(); ++entry)
+      by_name.emplace(entry->second.name, entry);
+    for (LiveBatch& batch : live_) {
+      const auto found = by_name.find(batch.batch().name());
+      if (found == by_name.end()) {
+        batch.see(nullptr);
+        continue;
+      }
+      if (!batch.batch().slurm_id) batch.note_slurm_id(found->second->first);
+      batch.see(&found->second->second);
+    }
+  }
+  for (auto batch = live_.begin(); batch != live_.end();) {
+    release(*batch, batch->newly_over(queue.has_value()));
+    if (batch->over()) {
+      remove_batch(batch->batch());
+      batch = live_.erase(batch);
+    } else {
+      ++batch;
+    }
+  }
+  send_cancellations();
+  // Counted from the end: a controller that takes long to answer is not asked without a pause.
+  next_poll_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                  std::chrono::duration<double>(profile_.poll_interval_s));
+}
+
+void SlurmScheduler::release(const LiveBatch& batch, const std::vector<WorkerEnd>& ends) {
+  if (ends.empty()) return;
+  std::unordered_set<std::int64_t> jobs;
+  for (const WorkerEnd& end : ends) jobs.insert(end.job);
+  for (const LiveBatch::ArrayTask& task : batch.array())
+    for (const LiveBatch::Job& job : task.jobs) {
+      if (!jobs.contains(job.place.job)) continue;
+      const auto entry = held_.find(job.place.directory.path.string());
+      if (entry != held_.end() && --entry->second == 0) held_.erase(entry);
+    }
+  if (batch.started_here()) ended_.insert(ended_.end(), ends.begin(), ends.end());
+}
+
+void SlurmScheduler::stop(std::span<const Task> tasks, StopKind kind) {
+  std::unordered_set<std::string> directories;
+  for (const Task& task : tasks) directories.insert(key(task.directory));
+  for (LiveBatch& batch : live_) batch.stop(directories, kind);
+  send_cancellations();
+}
+
+void SlurmScheduler::send_cancellations() {
+  for (LiveBatch& batch : live_) {
+    if (!batch.batch().slurm_id) continue;
+    for (const StopKind kind : {StopKind::with_checkpoint, StopKind::at_once}) {
+      const std::vector<int> indices = batch.to_cancel(kind);
+      if (indices.empty()) continue;
+      if (cluster_.cancel(*batch.batch().slurm_id, indices, kind == StopKind::with_checkpoint))
+        batch.cancelled(indices);
+    }
+  }
+}
+
+}  // namespace eerie

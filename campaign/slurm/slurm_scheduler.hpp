@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <unordered_map>
+
+#include "campaign/scheduler.hpp"
+#include "campaign/slurm/cluster.hpp"
+#include "campaign/slurm/live_batch.hpp"
+
+namespace eerie {
+
+/// Workers as array tasks of a Slurm cluster (docs/slurm.md). All that is known of a submission
+/// stands in its folder, written before sbatch is called, so that a manager which was killed at
+/// any instant finds its jobs again and submits none twice.
+class SlurmScheduler : public Scheduler {
+ public:
+  /// Takes up the batches that an earlier manager left in `jobs_folder`, which nodes must see
+  /// under the same path. `program`: the eerie that nodes run.
+  SlurmScheduler(SlurmProfile profile, const std::filesystem::path& jobs_folder);
+  SlurmScheduler(SlurmProfile profile, const std::filesystem::path& jobs_folder,
+                 std::shared_ptr<Commands> commands, std::filesystem::path program);
+
+  /// 0 until a quarter of the queue's room is free: a few large arrays are lighter on Slurm than
+  /// many small ones.
+  std::size_t free_slots() override;
+  std::vector<std::string> start(std::span<const Task> tasks) override;
+  bool holds(const Task& task) override;
+  std::vector<WorkerEnd> wait(std::chrono::milliseconds longest) override;
+
+  /// Leaves a stop file in each job directory, and cancels array tasks that have no other jobs:
+  /// the waiting ones, or with at_once also those that run.
+  void stop(std::span<const Task> tasks, StopKind kind) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void adopt_batches();
+  void hold(const LiveBatch& batch);
+  void release(const LiveBatch& batch, const std::vector<WorkerEnd>& ends);
+  std::vector<std::string> submit(std::span<const std::vector<Task>> packs, bool first);
+  void refresh();
+  void send_cancellations();
+
+  SlurmProfile profile_;
+  std::filesystem::path jobs_folder_, program_;
+  std::shared_ptr<Commands> commands_;
+  Cluster cluster_;
+  std::list<LiveBatch> live_;
+  std::unordered_map<std::string, int> held_;  ///< job directory -> batches that hold it
+  std::vector<WorkerEnd> ended_;               ///< not reported yet
+  Clock::time_point next_poll_{};
+};
+
+}  // namespace eerie
