@@ -3,10 +3,10 @@
 BUILD ?= build
 JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
-.PHONY: help run build test validate bench format tidy clean packages-run packages-test
+.PHONY: help run build test validate bench scale test-faults format tidy clean packages-run packages-test
 
 help:   ## this list
-	@sed -nE 's/^([a-z]+):[^#]*## (.*)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 14
+	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 14
 
 run: build  ## run the first sweep: 15 impacts, a table of outcomes, the b/a map
 	@mkdir -p results
@@ -33,6 +33,17 @@ bench: packages-test  ## time steps and stages (5 minutes); BASELINE=FILE: ratio
 	@cmake --build $(BUILD) -j $(JOBS) --target eerie_bench
 	@$(BUILD)/tests/bench/eerie_bench --benchmark_out=$(BUILD)/bench.json.new --benchmark_out_format=json \
 	  $(if $(BASELINE),--baseline $(BASELINE)) && mv $(BUILD)/bench.json.new $(BUILD)/bench.json
+
+scale: packages-test  ## measure a campaign of 1,000 to 100,000 jobs (10 minutes): docs/scale
+	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON -DEERIE_BENCHMARKS=ON > /dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target eerie eerie_scale
+	@OMP_NUM_THREADS=1 $(BUILD)/tests/bench/eerie_scale docs/scale
+
+test-faults: packages-test  ## kill, damage and starve campaigns (15 minutes): 200 kills, every named point
+	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON > /dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target eerie eerie_fault
+	@EERIE_FAULT_KILLS=200 EERIE_FAULT_PASSINGS=3 EERIE_FAULT_ROUNDS=20 \
+	  ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -L fault
 
 format:  ## lay out the sources with clang-format
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

@@ -15,8 +15,8 @@
 #include "db/settings.hpp"
 #include "solver/base/disk.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/version.hpp"
 #include "solver/io/snapshot.hpp"
-#include "solver/version.hpp"
 
 namespace eerie {
 namespace fs = std::filesystem;

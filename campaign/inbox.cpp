@@ -11,6 +11,7 @@
 #include "db/lock.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
+#include "solver/base/kill_point.hpp"
 
 namespace eerie {
 namespace fs = std::filesystem;
@@ -66,6 +67,7 @@ std::size_t Inbox::take(db::Connection& connection) const {
       db::once(connection, request.id, request.kind, [&](auto&) { return answer.dump(); });
       spdlog::info("event=request id={} kind={} answer={}", request.id, request.kind,
                    answer.dump());
+      kill_point("inbox.before-remove");
       fs::remove(file);
       ++count;
     } catch (const InputError& error) {

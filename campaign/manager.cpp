@@ -11,7 +11,8 @@
 #include "db/settings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
-#include "solver/version.hpp"
+#include "solver/base/kill_point.hpp"
+#include "solver/base/version.hpp"
 
 namespace eerie {
 namespace fs = std::filesystem;
@@ -228,6 +229,7 @@ void Manager::start(const std::vector<db::Job>& jobs) {
 
 void Manager::note_starts() {
   if (unnoted_.empty()) return;
+  kill_point("manager.before-note");
   db::begin_attempts(connection_, unnoted_);
   unnoted_.clear();
 }
@@ -255,7 +257,9 @@ void Manager::settle(const Running& run, const std::optional<WorkerEnd>& end) {
   Attempt attempt{end, particle_steps(directory), 0, run.over_wall_limit};
   if (run.at_work)
     attempt.wall_s = std::chrono::duration<double>(Clock::now() - *run.at_work).count();
+  kill_point("manager.before-commit");
   const db::JobState state = commit(connection_, run.job, verdict, attempt);
+  kill_point("manager.after-commit");
   spdlog::info("event=ended job={} state={}", run.job.hash.substr(0, 16),
                db::job_state_names.at(static_cast<std::size_t>(state)));
   if (std::holds_alternative<DiskFull>(verdict)) disks_.was_full(Clock::now());

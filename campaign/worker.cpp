@@ -97,6 +97,13 @@ HistoryRow full_row(const Snapshot& snapshot, const Totals& start) {
   return row;
 }
 
+/// The same scene would fail again: that is the verdict on the job.
+int fail(const JobDirectory& directory, const Failure& failure) {
+  spdlog::error("step {}: {}", failure.step, failure.message);
+  install_text(directory.failure(), to_json(failure).dump(1) + "\n");
+  return static_cast<int>(ExitCode::job_failed);
+}
+
 int run_job(const JobDirectory& directory, int threads) {
   const Scene scene = parse_scene(load_json(directory.scene()), directory.scene().string());
   if (read_result(directory, scene_hash(scene))) {
@@ -120,11 +127,9 @@ int run_job(const JobDirectory& directory, int threads) {
                  computed.summary.progress.wall_s);
     return static_cast<int>(ExitCode::done);
   } catch (const NumericalError& error) {
-    spdlog::error("step {}: {}", error.step, error.what());
-    install_text(
-        directory.failure(),
-        to_json(Failure{error.kind, error.step, error.particle_id, error.what()}).dump(1) + "\n");
-    return static_cast<int>(ExitCode::job_failed);
+    return fail(directory, {error.kind, error.step, error.particle_id, error.what()});
+  } catch (const InputError& error) {
+    return fail(directory, {"bad-input", 0, -1, error.what()});
   }
 }
 

@@ -273,13 +273,16 @@ JobState end_attempt(Connection& connection, std::int64_t job, const AttemptEnd&
 
 void finish(Connection& connection, std::int64_t job, const AttemptEnd& end, const Result& result,
             std::span<const Remnant> remnants) {
-  connection.write([&](SQLite::Database& sql) {
-    set_state(sql, job, JobState::done);
-    sql.exec(fmt::format("UPDATE jobs SET wanted = 'run' WHERE id = {}", job));
-    close_attempt(sql, job, end);
-    insert_result(sql, job, result);
-    insert_remnants(sql, job, remnants);
-  });
+  connection.write([&](SQLite::Database& sql) { finish(sql, job, end, result, remnants); });
+}
+
+void finish(SQLite::Database& sql, std::int64_t job, const AttemptEnd& end, const Result& result,
+            std::span<const Remnant> remnants) {
+  set_state(sql, job, JobState::done);
+  sql.exec(fmt::format("UPDATE jobs SET wanted = 'run' WHERE id = {}", job));
+  close_attempt(sql, job, end);
+  insert_result(sql, job, result);
+  insert_remnants(sql, job, remnants);
 }
 
 std::size_t retry_failed(Connection& connection, std::int64_t sweep) {

@@ -85,6 +85,10 @@ JobState end_attempt(Connection& connection, std::int64_t job, const AttemptEnd&
 void finish(Connection& connection, std::int64_t job, const AttemptEnd& end, const Result& result,
             std::span<const Remnant> remnants);
 
+/// finish inside a transaction of the caller.
+void finish(SQLite::Database& sql, std::int64_t job, const AttemptEnd& end, const Result& result,
+            std::span<const Remnant> remnants);
+
 /// Failed jobs of a sweep are pending again, with a clean slate. Returns how many.
 std::size_t retry_failed(Connection& connection, std::int64_t sweep);
 

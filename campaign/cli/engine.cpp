@@ -6,9 +6,12 @@
 #include <spdlog/spdlog.h>
 
 #include "campaign/local_processes.hpp"
+#include "campaign/slurm/profile.hpp"
+#include "campaign/slurm/slurm_scheduler.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::cli {
+namespace fs = std::filesystem;
 
 void add_engine(CLI::App& app, EngineArguments& a) {
   app.add_option("--scheduler", a.scheduler, "where workers run: local or slurm")
@@ -24,16 +27,19 @@ void add_engine(CLI::App& app, EngineArguments& a) {
 }
 
 void require_consistent(const EngineArguments& a) {
+  if (!a.profile.empty() && !a.is_local()) load_slurm_profile(a.profile);  // tell mistakes now
   if (a.is_local() && !a.profile.empty())
     throw InputError(
         fmt::format("--profile {}: is for Slurm; add --scheduler slurm", a.profile.string()));
 }
 
 std::unique_ptr<Scheduler> make_scheduler(const EngineArguments& a,
-                                          [[maybe_unused]] const db::Connection& connection,
-                                          std::size_t workers, int threads_per_job) {
-  if (!a.is_local()) throw InputError("--scheduler slurm: not built in");
-  return std::make_unique<LocalProcesses>(workers, threads_per_job);
+                                          const db::Connection& connection, std::size_t workers,
+                                          int threads_per_job) {
+  if (a.is_local()) return std::make_unique<LocalProcesses>(workers, threads_per_job);
+  return std::make_unique<SlurmScheduler>(
+      a.profile.empty() ? SlurmProfile{} : load_slurm_profile(a.profile),
+      fs::absolute(job_folder(connection).root));
 }
 
 ManagerOptions manager_options(const EngineArguments& a) {

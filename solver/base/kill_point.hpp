@@ -8,12 +8,16 @@ namespace eerie {
 
 /// Places at which a test can have the process killed, as a power cut or SIGKILL would. A test
 /// holds this table against the sources.
-inline constexpr std::array<std::string_view, 5> kill_point_names = {
+inline constexpr std::array<std::string_view, 9> kill_point_names = {
     "install.before-write",        // the temporary file does not exist
     "install.before-sync",         // it is written, maybe in memory only
     "install.before-rename",       // it is on the disk under its temporary name
     "install.before-folder-sync",  // it has its name, maybe in memory only
     "checkpoint.between",          // the former checkpoint has moved on, the new one has no name
+    "manager.before-note",         // a worker has started, the database does not know
+    "manager.before-commit",       // a worker has ended, the database does not know
+    "manager.after-commit",        // the database knows, the manager has not moved on
+    "inbox.before-remove",         // a request was carried out and lies in the inbox still
 };
 inline constexpr bool is_kill_point(std::string_view name) {
   return std::ranges::find(kill_point_names, name) != kill_point_names.end();

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/cli/commands.hpp"
+#include "campaign/cli/options.hpp"
 #include "campaign/cli/progress_line.hpp"
 #include "campaign/cli/result_columns.hpp"
 #include "campaign/cli/text_table.hpp"

@@ -7,7 +7,7 @@
 #include "campaign/worker.hpp"
 #include "campaign/worker_lock.hpp"
 #include "tests/e2e/impacts.hpp"
-#include "tests/e2e/program.hpp"
+#include "tests/support/program.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
 namespace eerie {

@@ -6,7 +6,7 @@
 
 #include "campaign/worker_lock.hpp"
 #include "solver/base/file.hpp"
-#include "tests/e2e/program.hpp"
+#include "tests/support/program.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
 namespace eerie {

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "solver/base/file.hpp"
-#include "tests/e2e/program.hpp"
+#include "tests/support/program.hpp"
 #include "tests/e2e/real_slurm.hpp"
 
 namespace eerie::test {

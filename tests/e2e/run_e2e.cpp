@@ -6,7 +6,7 @@
 
 #include "solver/base/file.hpp"
 #include "tests/campaign/malformed_sweeps.hpp"
-#include "tests/e2e/program.hpp"
+#include "tests/support/program.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
 namespace eerie {

@@ -8,7 +8,7 @@
 #include "campaign/worker.hpp"
 #include "solver/base/file.hpp"
 #include "tests/e2e/impacts.hpp"
-#include "tests/e2e/program.hpp"
+#include "tests/support/program.hpp"
 #include "tests/e2e/real_slurm.hpp"
 
 namespace eerie {

@@ -1,3 +1,5 @@
+#include "tests/support/program.hpp"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -11,7 +13,6 @@
 #include "campaign/job_directory.hpp"
 #include "campaign/worker_lock.hpp"
 #include "solver/base/file.hpp"
-#include "tests/e2e/program.hpp"
 
 namespace eerie::test {
 namespace fs = std::filesystem;
