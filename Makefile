@@ -3,7 +3,8 @@
 BUILD ?= build
 JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
-.PHONY: help run build test validate bench scale test-faults format tidy clean packages-run packages-test
+.PHONY: help run build test validate bench scale test-faults sanitize fuzz format tidy clean packages-run packages-test packages-fuzz
+FUZZ_SECONDS ?= 60
 
 help:   ## this list
 	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 14
@@ -45,6 +46,29 @@ test-faults: packages-test  ## kill, damage and starve campaigns (15 minutes): 2
 	@EERIE_FAULT_KILLS=200 EERIE_FAULT_PASSINGS=3 EERIE_FAULT_ROUNDS=20 \
 	  ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -L fault
 
+sanitize: packages-test  ## unit and fault tests under ASan and UBSan, those of threads under TSan (two more builds)
+	@cmake -S . -B $(BUILD)-asan -G Ninja -DEERIE_SANITIZE=address,undefined > /dev/null
+	@cmake --build $(BUILD)-asan -j $(JOBS) --target eerie eerie_unit eerie_fault
+	@ctest --test-dir $(BUILD)-asan --output-on-failure -j $(JOBS) -L '^(unit|fault)$$'
+	@cmake -S . -B $(BUILD)-tsan -G Ninja -DEERIE_SANITIZE=thread > /dev/null
+	@cmake --build $(BUILD)-tsan -j $(JOBS) --target eerie_threaded
+	@# TSan does not see how libgomp's threads wait for each other: one each.
+	@OMP_THREAD_LIMIT=1 OMP_NUM_THREADS=1 $(BUILD)-tsan/tests/eerie_threaded --gtest_brief=1
+
+fuzz: packages-fuzz  ## throw mutated files at every reader, FUZZ_SECONDS (60) each; needs clang
+	@cmake -S . -B $(BUILD)-fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DEERIE_FUZZERS=ON > /dev/null
+	@cmake --build $(BUILD)-fuzz -j $(JOBS)
+	@grep -oh '"[A-Za-z_0-9.-]*"' solver/scene/scene.schema.json campaign/sweep.schema.json | sort -u > $(BUILD)-fuzz/words.dict
+	@for reader in sweep scene result checkpoint; do \
+	  mkdir -p $(BUILD)-fuzz/corpus/$$reader && \
+	  $(BUILD)-fuzz/tests/fuzz/fuzz_$$reader -max_total_time=$(FUZZ_SECONDS) -timeout=20 -rss_limit_mb=4096 \
+	    -dict=$(BUILD)-fuzz/words.dict \
+	    -print_final_stats=1 -artifact_prefix=$(BUILD)-fuzz/$$reader- $(BUILD)-fuzz/corpus/$$reader \
+	    tests/fuzz/corpus/$$reader > $(BUILD)-fuzz/$$reader.log 2>&1 || \
+	    { tail -n 40 $(BUILD)-fuzz/$$reader.log; exit 1; }; \
+	  echo "$$reader: $$(sed -n 's/^stat::number_of_executed_units: *//p' $(BUILD)-fuzz/$$reader.log) files, none got through"; \
+	done
+
 format:  ## lay out the sources with clang-format
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
 
@@ -54,10 +78,10 @@ tidy:  ## check the sources with clang-tidy (slow; needs clang-tidy)
 	@git ls-files '*.cpp' | grep -v ^tests/ | xargs -n 1 -P $(JOBS) clang-tidy -p $(BUILD)-tidy --quiet
 
 clean:  ## remove what was built; results stay
-	@rm -rf $(BUILD)
+	@rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-tsan $(BUILD)-fuzz
 
 $(BUILD)/build.ninja:
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=OFF > /dev/null
 
-packages-run packages-test:
+packages-run packages-test packages-fuzz:
 	@.ci/packages $(@:packages-%=%)
