@@ -120,14 +120,23 @@ TEST_F(OnRealSlurm, StoppingCancelsWhatWaitsAndLeavesCheckpointsOfWhatRuns) {
         tasks, [](const Task& t) { return test::worker_at_work(t.directory.path).has_value(); });
   };
   ASSERT_TRUE(test::eventually([&] { return running() == 2; }, 30s));
-  manager->stop(tasks, StopKind::at_once);
   std::map<std::int64_t, WorkerEnd> ends;
-  ASSERT_TRUE(test::eventually(
-      [&] {
-        for (const WorkerEnd& end : manager->wait(50ms)) ends[end.job] = end;
-        return ends.size() == tasks.size();
-      },
-      40s));
+  const auto ended = [&](std::size_t count) {
+    return test::eventually(
+        [&] {
+          for (const WorkerEnd& end : manager->wait(50ms)) ends[end.job] = end;
+          return ends.size() >= count;
+        },
+        40s);
+  };
+  ASSERT_TRUE(ended(0));
+  manager->stop(tasks, StopKind::with_checkpoint);
+  ASSERT_TRUE(ended(2));
+  EXPECT_TRUE(std::ranges::none_of(ends, [&](const auto& entry) {
+    return fs::exists(tasks[static_cast<std::size_t>(entry.first)].directory.log());
+  })) << "those that waited go first";
+  manager->stop(tasks, StopKind::at_once);
+  ASSERT_TRUE(ended(4));
   int stopped = 0;
   for (const Task& task : tasks) {
     EXPECT_EQ(ends[task.job].exit_code, worker_stopped);
