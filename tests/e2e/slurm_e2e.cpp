@@ -42,11 +42,12 @@ class OnRealSlurm : public testing::Test {
   }
 
   std::unique_ptr<SlurmScheduler> scheduler() {
-    return std::make_unique<SlurmScheduler>(
-        profile, folder.path(), std::make_shared<ChildCommands>(), fs::path(EERIE_PROGRAM));
+    return std::make_unique<SlurmScheduler>(profile, jobs, std::make_shared<ChildCommands>(),
+                                            fs::path(EERIE_PROGRAM));
   }
 
   test::TemporaryFolder folder;
+  fs::path jobs = folder / "100%a of bob's";  // neither sbatch nor a shell may read it
   std::optional<test::RealSlurm> slurm;
   SlurmProfile profile;
 };
@@ -54,7 +55,7 @@ class OnRealSlurm : public testing::Test {
 TEST_F(OnRealSlurm, ImpactsSurviveTheDeathOfANodeAndOfTheManagerAndEachEndsOnce) {
   constexpr int count = 48, per_array_task = 4;
   profile.minutes_per_array_task = per_array_task / 60.0;
-  const std::vector<Task> tasks = test::impacts(folder.path(), count, 4000);
+  const std::vector<Task> tasks = test::impacts(jobs, count, 4000);
   const auto results = [&] {
     return std::ranges::count_if(tasks,
                                  [](const Task& t) { return fs::exists(t.directory.result()); });
@@ -91,7 +92,7 @@ TEST_F(OnRealSlurm, ImpactsSurviveTheDeathOfANodeAndOfTheManagerAndEachEndsOnce)
 
   // The manager dies, as it might have between sbatch and the note of the id.
   manager.reset();
-  for (const auto& entry : fs::directory_iterator(batches_folder(folder.path())))
+  for (const auto& entry : fs::directory_iterator(batches_folder(jobs)))
     fs::remove(entry.path() / "slurm_id");
   manager = scheduler();
   ends.clear();
@@ -107,12 +108,12 @@ TEST_F(OnRealSlurm, ImpactsSurviveTheDeathOfANodeAndOfTheManagerAndEachEndsOnce)
     const std::string log = read_file(task.directory.log());
     EXPECT_EQ(occurrences(log, "done: "), 1u) << log;
   }
-  EXPECT_TRUE(fs::is_empty(batches_folder(folder.path())));
+  EXPECT_TRUE(fs::is_empty(batches_folder(jobs)));
 }
 
 TEST_F(OnRealSlurm, StoppingCancelsWhatWaitsAndLeavesCheckpointsOfWhatRuns) {
   profile.minutes_per_array_task = 0;
-  const std::vector<Task> tasks = test::impacts(folder.path(), 4, 4e6);
+  const std::vector<Task> tasks = test::impacts(jobs, 4, 4e6);
   auto manager = scheduler();
   manager->start(tasks);
   const auto running = [&] {
@@ -152,7 +153,7 @@ TEST_F(OnRealSlurm, TheWarningBeforeTheTimeLimitLeavesACheckpoint) {
   // the first step.
   profile.time_limit = 60s;
   profile.signal_before_end_s = 54;
-  const std::vector<Task> tasks = test::impacts(folder.path(), 1, 4e6);
+  const std::vector<Task> tasks = test::impacts(jobs, 1, 4e6);
   auto manager = scheduler();
   manager->start(tasks);
   std::vector<WorkerEnd> ends;
