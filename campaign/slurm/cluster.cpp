@@ -4,12 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace eerie {
 namespace {
 
 // Slurm's own commands give up after MessageTimeout (10 s), some after several tries.
 constexpr std::chrono::seconds submission_limit{90}, question_limit{30};
+
+/// Of a word of a command line; with more, all jobs of the user are listed.
+constexpr std::size_t most_names = 1000;
 
 /// Slurm's default.
 constexpr int usual_array_size = 1001;
@@ -72,15 +76,14 @@ Submission Cluster::submit(const Batch& batch) {
 }
 
 std::optional<Queue> Cluster::queue(const std::vector<std::string>& names) {
-  const CommandEnd end = commands_.run(
-      {"squeue", "--noheader", "--array", "--me", fmt::format("--name={}", fmt::join(names, ",")),
-       fmt::format("--format={}", queue_format)},
-      question_limit);
+  std::vector<std::string> words = {"squeue", "--noheader", "--array", "--me",
+                                    fmt::format("--format={}", queue_format)};
+  if (names.size() <= most_names) words.push_back(fmt::format("--name={}", fmt::join(names, ",")));
+  const CommandEnd end = commands_.run(words, question_limit);
   if (!end.ok()) return std::nullopt;
   Queue queue = parse_queue(end.out);
-  std::erase_if(queue, [&](const auto& entry) {
-    return std::ranges::find(names, entry.second.name) == names.end();
-  });
+  const std::unordered_set<std::string> ours(names.begin(), names.end());
+  std::erase_if(queue, [&](const auto& entry) { return !ours.contains(entry.second.name); });
   return queue;
 }
 
@@ -96,8 +99,7 @@ std::size_t Cluster::array_size() {
     int size = profile_.max_array_size.value_or(0);
     if (size == 0) {
       const CommandEnd end = commands_.run({"scontrol", "show", "config"}, question_limit);
-      if (!end.ok()) return usual_array_size;  // asked again next time
-      size = max_array_size(end.out).value_or(usual_array_size);
+      size = (end.ok() ? max_array_size(end.out) : std::nullopt).value_or(usual_array_size);
     }
     array_size_ = static_cast<std::size_t>(std::max(1, size));
   }

@@ -73,6 +73,11 @@ LiveBatch::LiveBatch(Batch batch, bool started_here)
   }
 }
 
+void LiveBatch::note_slurm_id(std::int64_t id) {
+  ever_seen_ = true;
+  install_slurm_id(batch_, id);
+}
+
 bool LiveBatch::over() const {
   return std::ranges::all_of(
       array_, [](const ArrayTask& task) { return std::ranges::all_of(task.jobs, &Job::over); });

@@ -36,7 +36,7 @@ class LiveBatch {
   bool over() const;
   std::size_t array_tasks_left() const;
 
-  void note_slurm_id(std::int64_t id) { install_slurm_id(batch_, id); }
+  void note_slurm_id(std::int64_t id);
 
   /// Takes an answer of squeue: what it says of this batch, or nullptr where that is nothing.
   void see(const QueuedArray* queued);
@@ -59,7 +59,7 @@ class LiveBatch {
 
   Batch batch_;
   bool started_here_;
-  bool ever_seen_;
+  bool ever_seen_;  ///< Slurm has certainly known it
   std::vector<ArrayTask> array_;
   std::set<std::int64_t> released_;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <unordered_set>
 
 #include "campaign/signals.hpp"
@@ -29,6 +30,12 @@ fs::path checked_folder(const fs::path& folder) {
           fmt::format("the folder of jobs {}: sbatch cannot take a path with a "
                       "backslash or a control character; give another",
                       whole.string()));
+  try {
+    static_cast<void>(nlohmann::json(whole.string()).dump());  // as it stands in manifests
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(
+        fmt::format("the folder of jobs {}: its name is not UTF-8; give another", whole.string()));
+  }
   return whole;
 }
 
@@ -122,22 +129,22 @@ std::vector<std::string> SlurmScheduler::submit(std::span<const std::vector<Task
   install_batch(batch, program_);
   const Submission submission = cluster_.submit(batch);
   const bool accepted = submission.kind == Submission::Kind::accepted;
-  const auto id = submission.id;
-  if (accepted) install_slurm_id(batch, id);
-  if (submission.kind == Submission::Kind::refused) {
+  const bool refused = submission.kind == Submission::Kind::refused;
+  if (refused) {
     remove_batch(batch);
   } else {
     live_.emplace_back(std::move(batch), accepted || !first);
     hold(live_.back());
+    if (accepted) live_.back().note_slurm_id(submission.id);
   }
-  if (!accepted && first) throw SchedulerUnavailable(submission.reason);
+  if (first && !accepted) throw SchedulerUnavailable(submission.reason);
   // What was submitted before stays so; these come back as stopped before they began.
-  if (submission.kind == Submission::Kind::refused)
+  if (refused)
     for (const std::vector<Task>& pack : packs)
       for (const Task& task : pack) ended_.push_back(never_started(task.job));
   std::vector<std::string> names;
   for (std::size_t k = 0; k < packs.size(); ++k)
-    names.push_back(accepted ? fmt::format("slurm {}_{}", id, k) : "slurm");
+    names.push_back(accepted ? fmt::format("slurm {}_{}", submission.id, k) : "slurm");
   return names;
 }
 

@@ -42,11 +42,12 @@ class OnRealSlurm : public testing::Test {
   }
 
   std::unique_ptr<SlurmScheduler> scheduler() {
-    return std::make_unique<SlurmScheduler>(
-        profile, folder.path(), std::make_shared<ChildCommands>(), fs::path(EERIE_PROGRAM));
+    return std::make_unique<SlurmScheduler>(profile, jobs, std::make_shared<ChildCommands>(),
+                                            fs::path(EERIE_PROGRAM));
   }
 
   test::TemporaryFolder folder;
+  fs::path jobs = folder / "100%a of bob's";  // neither sbatch nor a shell may read it
   std::optional<test::RealSlurm> slurm;
   SlurmProfile profile;
 };
@@ -54,7 +55,7 @@ class OnRealSlurm : public testing::Test {
 TEST_F(OnRealSlurm, ImpactsSurviveTheDeathOfANodeAndOfTheManagerAndEachEndsOnce) {
   constexpr int count = 48, per_array_task = 4;
   profile.minutes_per_array_task = per_array_task / 60.0;
-  const std::vector<Task> tasks = test::impacts(folder.path(), count, 4000);
+  const std::vector<Task> tasks = test::impacts(jobs, count, 4000);
   const auto results = [&] {
     return std::ranges::count_if(tasks,
                                  [](const Task& t) { return fs::exists(t.directory.result()); });
@@ -91,7 +92,7 @@ TEST_F(OnRealSlurm, ImpactsSurviveTheDeathOfANodeAndOfTheManagerAndEachEndsOnce)
 
   // The manager dies, as it might have between sbatch and the note of the id.
   manager.reset();
-  for (const auto& entry : fs::directory_iterator(batches_folder(folder.path())))
+  for (const auto& entry : fs::directory_iterator(batches_folder(jobs)))
     fs::remove(entry.path() / "slurm_id");
   manager = scheduler();
   ends.clear();
@@ -107,12 +108,12 @@ TEST_F(OnRealSlurm, ImpactsSurviveTheDeathOfANodeAndOfTheManagerAndEachEndsOnce)
     const std::string log = read_file(task.directory.log());
     EXPECT_EQ(occurrences(log, "done: "), 1u) << log;
   }
-  EXPECT_TRUE(fs::is_empty(batches_folder(folder.path())));
+  EXPECT_TRUE(fs::is_empty(batches_folder(jobs)));
 }
 
 TEST_F(OnRealSlurm, StoppingCancelsWhatWaitsAndLeavesCheckpointsOfWhatRuns) {
   profile.minutes_per_array_task = 0;
-  const std::vector<Task> tasks = test::impacts(folder.path(), 4, 4e6);
+  const std::vector<Task> tasks = test::impacts(jobs, 4, 4e6);
   auto manager = scheduler();
   manager->start(tasks);
   const auto running = [&] {
@@ -120,14 +121,23 @@ TEST_F(OnRealSlurm, StoppingCancelsWhatWaitsAndLeavesCheckpointsOfWhatRuns) {
         tasks, [](const Task& t) { return test::worker_at_work(t.directory.path).has_value(); });
   };
   ASSERT_TRUE(test::eventually([&] { return running() == 2; }, 30s));
-  manager->stop(tasks, StopKind::at_once);
   std::map<std::int64_t, WorkerEnd> ends;
-  ASSERT_TRUE(test::eventually(
-      [&] {
-        for (const WorkerEnd& end : manager->wait(50ms)) ends[end.job] = end;
-        return ends.size() == tasks.size();
-      },
-      40s));
+  const auto ended = [&](std::size_t count) {
+    return test::eventually(
+        [&] {
+          for (const WorkerEnd& end : manager->wait(50ms)) ends[end.job] = end;
+          return ends.size() >= count;
+        },
+        40s);
+  };
+  ASSERT_TRUE(ended(0));
+  manager->stop(tasks, StopKind::with_checkpoint);
+  ASSERT_TRUE(ended(2));
+  EXPECT_TRUE(std::ranges::none_of(ends, [&](const auto& entry) {
+    return fs::exists(tasks[static_cast<std::size_t>(entry.first)].directory.log());
+  })) << "those that waited go first";
+  manager->stop(tasks, StopKind::at_once);
+  ASSERT_TRUE(ended(4));
   int stopped = 0;
   for (const Task& task : tasks) {
     EXPECT_EQ(ends[task.job].exit_code, worker_stopped);
@@ -143,7 +153,7 @@ TEST_F(OnRealSlurm, TheWarningBeforeTheTimeLimitLeavesACheckpoint) {
   // the first step.
   profile.time_limit = 60s;
   profile.signal_before_end_s = 54;
-  const std::vector<Task> tasks = test::impacts(folder.path(), 1, 4e6);
+  const std::vector<Task> tasks = test::impacts(jobs, 1, 4e6);
   auto manager = scheduler();
   manager->start(tasks);
   std::vector<WorkerEnd> ends;

@@ -7,7 +7,6 @@
 namespace eerie {
 namespace {
 using testing::Contains;
-using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
@@ -61,6 +60,19 @@ TEST(ACluster, IsAskedForItsLargestArrayOnceUnlessTheProfileSaysIt) {
   profile.max_array_size = 77;
   EXPECT_EQ(Cluster(profile, slurm).array_size(), 77u);
   EXPECT_EQ(slurm.calls_of("scontrol").size(), 1u);
+}
+
+TEST(ACluster, WithMoreBatchesThanACommandLineHoldsIsAskedForAllJobs) {
+  test::FakeSlurm slurm;
+  slurm.jobs[1] = {"eerie-17", {{0, "RUNNING"}}};
+  slurm.jobs[2] = {"another", {{0, "RUNNING"}}};
+  std::vector<std::string> names;
+  for (int k = 0; k < 5000; ++k) names.push_back(fmt::format("eerie-{}", k));
+  Cluster cluster({}, slurm);
+  const auto queue = cluster.queue(names);
+  ASSERT_TRUE(queue);
+  EXPECT_EQ(queue->size(), 1u);
+  EXPECT_THAT(slurm.calls_of("squeue")[0], Not(Contains(StartsWith("--name"))));
 }
 
 TEST(ACluster, ListsOnlyJobsOfTheseNames) {

@@ -462,6 +462,7 @@ TEST_F(ASlurmScheduler, GivesBackWhatOnlyTheSecondSubmissionRefused) {
 TEST_F(ASlurmScheduler, RefusesAFolderThatSbatchWouldMisread) {
   EXPECT_THROW(SlurmScheduler(profile, folder.path() / "a\\b", slurm, "/opt/eerie"), InputError);
   EXPECT_THROW(SlurmScheduler(profile, folder.path() / "a\nb", slurm, "/opt/eerie"), InputError);
+  EXPECT_THROW(SlurmScheduler(profile, folder.path() / "a\xff", slurm, "/opt/eerie"), InputError);
 }
 
 }  // namespace
