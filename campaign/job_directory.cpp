@@ -105,9 +105,13 @@ std::optional<Failure> read_failure(const JobDirectory& directory) {
 std::optional<json> read_json(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return std::nullopt;
-  json document = json::parse(read_file(path), nullptr, false);
-  if (document.is_discarded()) return std::nullopt;
-  return document;
+  try {
+    json document = json::parse(read_file(path), nullptr, false);
+    if (document.is_discarded()) return std::nullopt;
+    return document;
+  } catch (const EnvironmentError&) {
+    return std::nullopt;  // removed since, or a slip of a network file system
+  }
 }
 
 }  // namespace eerie

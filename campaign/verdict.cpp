@@ -45,7 +45,11 @@ std::optional<WorkerEnd> own_word(const JobDirectory& directory) {
   const auto ended = read_ended(directory);
   if (!ended) return std::nullopt;
   WorkerEnd end;
-  end.exit_code = ended->exit_code;
+  // As shells do, 128 + N says that signal N ended it.
+  if (ended->exit_code > 128)
+    end.signal = ended->exit_code - 128;
+  else
+    end.exit_code = ended->exit_code;
   return end;
 }
 

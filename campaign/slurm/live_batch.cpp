@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "campaign/worker.hpp"
+#include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
 namespace eerie {
@@ -66,7 +67,8 @@ LiveBatch::LiveBatch(Batch batch, bool started_here)
     : batch_(std::move(batch)),
       started_here_(started_here),
       ever_seen_(batch_.slurm_id.has_value()),
-      released_(read_released(batch_)) {
+      released_(read_released(batch_)),
+      released_noted_(released_.size()) {
   for (const std::vector<BatchJob>& pack : batch_.array) {
     ArrayTask& task = array_.emplace_back();
     for (const BatchJob& job : pack) task.jobs.push_back({job, released_.contains(job.job)});
@@ -116,6 +118,7 @@ std::optional<WorkerEnd> LiveBatch::end_of(const ArrayTask& task, int index, Job
   if (task.gone) look_again(directory.path);
   // ended.json is written last, so it is read first.
   const auto ended = newer(directory.ended()) ? read_ended(directory) : std::nullopt;
+  if (ended) look_again(directory.path);
   std::error_code ignored;
   const bool result = fs::exists(directory.result(), ignored);
   if (result || newer(directory.failure())) {
@@ -141,7 +144,6 @@ std::optional<WorkerEnd> LiveBatch::end_of(const ArrayTask& task, int index, Job
 
 std::vector<WorkerEnd> LiveBatch::newly_over(bool queue_known) {
   std::vector<WorkerEnd> ends;
-  const std::size_t released_before = released_.size();
   for (std::size_t k = 0; k < array_.size(); ++k) {
     ArrayTask& task = array_[k];
     if (task.pending && queue_known && !task.gone) continue;  // nobody has written anything
@@ -157,8 +159,18 @@ std::vector<WorkerEnd> LiveBatch::newly_over(bool queue_known) {
       ends.push_back(*end);
     }
   }
-  if (released_.size() != released_before) install_released(batch_, released_);
+  note_released();
   return ends;
+}
+
+void LiveBatch::note_released() {
+  if (released_.size() == released_noted_) return;
+  try {
+    install_released(batch_, released_);
+    released_noted_ = released_.size();
+  } catch (const EnvironmentError&) {
+    // The ends of jobs are not to be lost over this; the next round tries again.
+  }
 }
 
 void LiveBatch::stop(const std::unordered_set<std::string>& directories, StopKind kind) {

@@ -55,6 +55,7 @@ class LiveBatch {
 
  private:
   std::optional<WorkerEnd> end_of(const ArrayTask& task, int index, Job& job) const;
+  void note_released();
   bool newer(const std::filesystem::path& file) const;
 
   Batch batch_;
@@ -62,6 +63,7 @@ class LiveBatch {
   bool ever_seen_;  ///< Slurm has certainly known it
   std::vector<ArrayTask> array_;
   std::set<std::int64_t> released_;
+  std::size_t released_noted_;  ///< how many of them stand in the file
 };
 
 }  // namespace eerie

@@ -83,8 +83,14 @@ void SlurmScheduler::adopt_batches() {
     if (auto batch = read_batch(folder)) {
       live_.emplace_back(std::move(*batch), false);
       hold(live_.back());
-    } else {
+    } else if (!fs::exists(folder / "manifest.json")) {
       fs::remove_all(folder, none);  // the rest of one that was being made or removed
+    } else {
+      throw EnvironmentError(
+          fmt::format("{}: its manifest.json cannot be read, or is of another version of eerie, so "
+                      "its jobs might be submitted twice; cancel the job eerie-{} and remove the "
+                      "folder",
+                      folder.string(), folder.filename().string()));
     }
   }
 }

@@ -344,6 +344,13 @@ TEST_F(ASlurmScheduler, WhoseManagerWasKilledWhileItMadeABatchRemovesTheRest) {
   EXPECT_EQ(batch_folders(), 0u);
 }
 
+TEST_F(ASlurmScheduler, DoesNotForgetABatchWhoseManifestItCannotRead) {
+  scheduler().start(tasks(1));
+  install_text(batch_folder() / "manifest.json", R"({"version": 2})");
+  EXPECT_THROW(scheduler(), EnvironmentError);
+  EXPECT_EQ(batch_folders(), 1u);
+}
+
 TEST_F(ASlurmScheduler, GivesBackACrashedJobOfAPackBeforeThePackEnds) {
   profile.minutes_per_array_task = 10;
   const auto three = tasks(3);
