@@ -142,26 +142,24 @@ void Manager::refresh() {
 void Manager::fill_slots() {
   while (obeyed_ == 0 && waiting_for_.empty()) {
     const std::size_t free = scheduler_.free_slots();
+    if (free == 0) return;
+    if (queue_.empty()) read_ahead(free);
     std::vector<db::Job> batch;
-    while (batch.size() < free && have_next(free)) {
+    while (batch.size() < free && !queue_.empty()) {
       const db::Job job = queue_.back();
       queue_.pop_back();
       if (prepare(job)) batch.push_back(job);
     }
-    if (batch.empty()) return;
-    start(batch);
+    if (!waiting_for_.empty() || (batch.empty() && queue_.empty())) return;
+    if (!batch.empty()) start(batch);
   }
 }
 
-/// Whether a job waits its turn; reads ahead where the queue is used up.
-bool Manager::have_next(std::size_t free) {
-  if (!waiting_for_.empty()) return false;
-  if (!queue_.empty()) return true;
+void Manager::read_ahead(std::size_t free) {
   queue_ = db::next_jobs(connection_, options_.sweep, std::max(queue_length, free));
   // Started, and not noted yet.
   std::erase_if(queue_, [&](const db::Job& job) { return running_.contains(job.id); });
   std::ranges::reverse(queue_);
-  return !queue_.empty();
 }
 
 /// Makes the job directory ready for a worker; false where none is to be started: an earlier
@@ -265,8 +263,12 @@ void Manager::settle(const Running& run, const std::optional<WorkerEnd>& end) {
   if (std::holds_alternative<DiskFull>(verdict)) disks_.was_full(Clock::now());
   if (std::holds_alternative<Finished>(verdict)) disks_.was_well();
   throughput_.ended(run.job.id, state != db::JobState::pending);
-  count(run.job, db::JobState::running, state);
-  if (state == db::JobState::pending) queue_.clear();
+  if (state == db::JobState::pending) {
+    counts_ = db::count_jobs(connection_, options_.sweep);  // paused, maybe
+    queue_.clear();
+  } else {
+    count(run.job, db::JobState::running, state);
+  }
 }
 
 void Manager::reconcile() {

@@ -66,7 +66,7 @@ class Manager {
   void look_at_disks();
   void note_starts();
   void fill_slots();
-  bool have_next(std::size_t free);
+  void read_ahead(std::size_t free);
   bool prepare(const db::Job& job);
   void adopt(const db::Job& job);
   void start(const std::vector<db::Job>& jobs);

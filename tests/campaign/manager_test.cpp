@@ -9,6 +9,7 @@
 #include "campaign/worker_lock.hpp"
 #include "db/query.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/sha256.hpp"
 #include "tests/campaign/job_files.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
@@ -87,7 +88,9 @@ class ScriptedWorkers : public Scheduler {
       case Act::old_solver: {
         test::install_result(directory, scene);
         json document = json::parse(read_file(directory.result()));
-        document["provenance"]["version"] = "0.0.1";
+        document["provenance"]["solver_version"] = "0.0.1";
+        document.erase("sha256");
+        document["sha256"] = sha256_hex(document.dump());
         install_text(directory.result(), document.dump());
         end.exit_code = 0;
         break;

@@ -156,7 +156,7 @@ TEST_F(Daemon, CommandsSayWhatIsWrongWithTheirInput) {
 }
 
 TEST_F(Daemon, StopsAJobAtItsWallLimitAndGoesOnWithALargerOne) {
-  test::write_sweep(folder.path(), 30000, R"({"v_imp_cm_per_s": [20]})");
+  test::write_sweep(folder.path(), 150000, R"({"v_imp_cm_per_s": [20]})");
   ASSERT_EQ(eerie({"submit", "sweep.json", "--wall-limit", "1s"}).code, 0);
   ASSERT_EQ(eerie(daemon({"--until-idle"})).code, 0);
   EXPECT_THAT(eerie({"status"}).out, HasSubstr("1 x wall-limit"));
