@@ -49,7 +49,8 @@ test-faults: packages-test  ## kill, damage and starve campaigns (15 minutes): 2
 sanitize: packages-test  ## unit and fault tests under ASan and UBSan, those of threads under TSan (two more builds)
 	@cmake -S . -B $(BUILD)-asan -G Ninja -DEERIE_SANITIZE=address,undefined > /dev/null
 	@cmake --build $(BUILD)-asan -j $(JOBS) --target eerie eerie_unit eerie_fault
-	@ctest --test-dir $(BUILD)-asan --output-on-failure -j $(JOBS) -L '^(unit|fault)$$'
+	@LSAN_OPTIONS=suppressions=$(abspath tests/leaks-of-others.supp):print_suppressions=0 \
+	  ctest --test-dir $(BUILD)-asan --output-on-failure -j $(JOBS) -L '^(unit|fault)$$'
 	@cmake -S . -B $(BUILD)-tsan -G Ninja -DEERIE_SANITIZE=thread > /dev/null
 	@cmake --build $(BUILD)-tsan -j $(JOBS) --target eerie_threaded
 	@# TSan does not see how libgomp's threads wait for each other: one each.

@@ -17,7 +17,8 @@ class DiskGuard {
   DiskGuard(std::vector<std::filesystem::path> folders, std::uintmax_t least_free)
       : folders_(std::move(folders)), least_free_(least_free) {}
 
-  /// Somebody found a disk full: it counts as full for a while, each time twice as long.
+  /// Somebody found a disk full: it counts as full for a while, each time twice as long, or until
+  /// there is clearly more room.
   void was_full(Clock::time_point now);
   /// A job got through.
   void was_well() { patience_ = first_patience; }
@@ -28,11 +29,14 @@ class DiskGuard {
  private:
   static constexpr std::chrono::seconds first_patience{1}, longest_patience{300};
 
+  std::uintmax_t free_in_all() const;
+
   std::vector<std::filesystem::path> folders_;
   std::uintmax_t least_free_;
   Clock::time_point full_until_{};
   std::chrono::seconds patience_ = first_patience;
   bool doubted_ = false;  ///< found full since room was last tried
+  std::uintmax_t free_when_full_ = 0;
 };
 
 }  // namespace eerie

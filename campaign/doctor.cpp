@@ -45,7 +45,10 @@ class Examination {
 
  private:
   void find(std::string what, std::string mend) {
-    findings_.push_back({std::move(what), std::move(mend), false, false});
+    findings_.push_back({std::move(what), std::move(mend)});
+  }
+  void note(std::string what, std::string mend) {
+    findings_.push_back({std::move(what), std::move(mend), false, false, true});
   }
   /// A finding that `body` mends, where mending is asked for.
   void find_mendable(std::string what, std::string mend, const std::function<void()>& body) {
@@ -62,7 +65,7 @@ class Examination {
       find(fmt::format("database {}: {}", reader_.path().string(), broken), "restore a copy");
     const auto made_by = db::setting(reader_, "solver_version");
     if (made_by && *made_by != solver_version)
-      find(fmt::format("this program's solver is version {}, the database was last worked on with "
+      note(fmt::format("this program's solver is version {}, the database was last worked on with "
                        "version {}",
                        solver_version, *made_by),
            "the next run marks older results stale; `eerie retry --stale` repeats them");

@@ -15,6 +15,7 @@ struct Finding {
   std::string mend;       ///< what helps; or, with `mended`, what was done
   bool mendable = false;  ///< safe to mend by program: nothing that is true is lost
   bool mended = false;
+  bool is_note = false;  ///< worth knowing, and no damage
 };
 
 /// How far an examination has come: `done` of `total` jobs.

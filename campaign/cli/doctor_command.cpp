@@ -40,7 +40,8 @@ std::vector<Finding> findings_of(const DoctorArguments& a) {
 int doctor(const DoctorArguments& a) {
   const std::vector<Finding> findings = findings_of(a);
   const auto holder = a.fix ? std::nullopt : db::lock_holder(a.database);
-  const bool well = std::ranges::all_of(findings, &Finding::mended);
+  const bool well =
+      std::ranges::all_of(findings, [](const Finding& f) { return f.mended || f.is_note; });
   if (a.json) {
     json list = json::array();
     for (const Finding& f : findings)
@@ -49,8 +50,11 @@ int doctor(const DoctorArguments& a) {
     fmt::print("{}\n", json{{"database", a.database.string()}, {"findings", list}}.dump(1));
   } else {
     for (const Finding& f : findings)
-      fmt::print("{}: {}\n   -> {}{}\n", f.mended ? "mended" : "found", f.what,
-                 f.mendable && !f.mended ? "with --fix: " : "", f.mend);
+      fmt::print("{}: {}\n   -> {}{}\n",
+                 f.mended    ? "mended"
+                 : f.is_note ? "note"
+                             : "found",
+                 f.what, f.mendable && !f.mended ? "with --fix: " : "", f.mend);
     if (holder)
       fmt::print("{} works on it: what is in motion may look wrong for a moment\n", *holder);
     fmt::print("{}\n",

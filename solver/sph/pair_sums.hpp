@@ -130,7 +130,7 @@ class PairSums {
 
   /// One particle: entries of its list are places of rows of eight.
   void sum(std::size_t k, const BucketList& list, Desk& desk) const {
-    const std::uint16_t* places = &list.index[list.begin[k]];
+    const std::uint16_t* places = list.index.data() + list.begin[k];
     const std::size_t packs = (list.begin[k + 1] - list.begin[k]) / lanes<Real>;
     if (desk.pairs.size() < packs) {
       desk.pairs.resize(2 * packs), desk.weights.resize(2 * packs);
