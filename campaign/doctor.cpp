@@ -75,7 +75,7 @@ class Examination {
     constexpr std::uintmax_t little = 1'000'000'000;
     for (const fs::path& folder : {fs::absolute(reader_.path()).parent_path(), folder_.root})
       if (const auto free = free_bytes(folder); free && *free < little)
-        find(
+        note(
             fmt::format("{} has {:.0f} MB free", folder.string(), static_cast<double>(*free) / 1e6),
             "free some: a job needs room for its snapshots");
   }

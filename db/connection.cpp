@@ -6,6 +6,7 @@
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/statvfs.h>
 
 #include "db/error.hpp"
 #include "db/file_system.hpp"
@@ -38,14 +39,23 @@ const char* mend(int code) {
   }
 }
 
+bool has_little_room(const fs::path& path) {
+  constexpr unsigned long long little = 1 << 16;
+  struct statvfs info {};
+  return ::statvfs(fs::absolute(path).parent_path().c_str(), &info) == 0 &&
+         static_cast<unsigned long long>(info.f_bavail) * info.f_frsize < little;
+}
+
 void translated(const fs::path& path, const std::function<void()>& body) {
   try {
     body();
   } catch (const SQLite::Exception& error) {
     const std::string text =
         fmt::format("database {}: {}{}", path.string(), error.what(), mend(error.getErrorCode()));
-    // An I/O error without a full disk is told as such by the next write.
-    if (error.getErrorCode() == SQLITE_FULL) throw FullError(text);
+    // Where the index of the write-ahead log finds no room SQLite speaks of an I/O error.
+    if (error.getErrorCode() == SQLITE_FULL ||
+        (error.getErrorCode() == SQLITE_IOERR && has_little_room(path)))
+      throw FullError(text);
     throw Error(text);
   }
 }

@@ -25,11 +25,26 @@ struct DaemonArguments {
   bool until_idle = false;
 };
 
+/// A database needs some room to be opened at all. False: a stop was asked for first.
+bool wait_for_room(const std::filesystem::path& folder) {
+  constexpr std::uintmax_t least = 1 << 16;
+  DiskGuard guard({folder}, least);
+  for (bool told = false; stop_requests() == 0; told = true) {
+    const auto complaint = guard.complaint(DiskGuard::Clock::now());
+    if (!complaint) return true;
+    if (!told) fmt::print(stderr, "waiting: {}\n", *complaint);
+    wait_for_signal(std::chrono::seconds(1));
+  }
+  return false;
+}
+
 int daemon(const DaemonArguments& a) {
   require_consistent(a.engine);
   catch_stop_signals();
   hold_signals();
   make_folder_of(a.database);
+  if (!wait_for_room(std::filesystem::absolute(a.database).parent_path()))
+    return static_cast<int>(ExitCode::done);
   const db::Lock lock(a.database);
   db::Connection connection(a.database, db::Access::write);
   if (!a.engine.jobs_dir.empty()) choose_job_folder(connection, a.engine.jobs_dir);

@@ -60,6 +60,7 @@ struct Look {
   std::optional<CampaignView> at_work;  ///< as the manager says
   std::vector<Silence> silent;
   JobFolder folder;
+  std::optional<std::string> no_room = {};  ///< asked here: a manager on a full disk cannot say it
 };
 
 Look look_at(const fs::path& database) {
@@ -74,16 +75,18 @@ Look look_at(const fs::path& database) {
   if (look.holder) {
     look.at_work = read_status_file(database);
     look.silent = silent_jobs(connection, look.folder);
+    constexpr std::uintmax_t little = 1 << 20;
+    look.no_room = DiskGuard({fs::absolute(database).parent_path(), look.folder.root}, little)
+                       .complaint(DiskGuard::Clock::now());
   }
   return look;
 }
 
 json to_json(const Look& look, const fs::path& database) {
-  json report = {{"database", database.string()},
-                 {"worked_on_by", look.holder ? json(*look.holder) : json()},
-                 {"sweeps", json::array()},
-                 {"failures", json::array()},
-                 {"silent", json::array()}};
+  json report = {
+      {"database", database.string()}, {"worked_on_by", look.holder ? json(*look.holder) : json()},
+      {"sweeps", json::array()},       {"failures", json::array()},
+      {"silent", json::array()},       {"no_room", look.no_room ? json(*look.no_room) : json()}};
   if (look.at_work)
     report["at_work"] = {{"running", look.at_work->running},
                          {"particle_steps_per_s", look.at_work->particle_steps_per_s},
@@ -121,6 +124,8 @@ std::string text_of(const Look& look, const fs::path& database) {
       fmt::format("{}: {}\n", database.string(),
                   look.holder ? "worked on by " + *look.holder : "nobody works on it");
   if (look.at_work) text += progress_tail(*look.at_work) + "\n";
+  if (look.no_room && (!look.at_work || look.at_work->waiting_for.empty()))
+    text += "waiting: " + *look.no_room + "\n";
   text += "\n" + table_of(look);
   for (const auto& f : look.failures)
     text += fmt::format("\nfailed: {} x {}; for example {}: {}\n", f.jobs, f.kind,

@@ -59,12 +59,15 @@ TEST_P(FullDisk, IsWaitedForAndNothingTornIsTakenForTrue) {
   fill(ballast, disk.path(), static_cast<std::uintmax_t>(GetParam()) * 1024);
   Program daemon(campaign.folder(), campaign.daemon_words());
   EXPECT_TRUE(test::eventually([&] {
-    if (!daemon.running()) return true;
+    return !daemon.running() || free_bytes(disk.path()).value() < 1 << 16;
+  })) << "the disk never filled up";
+  const bool can_be_read = GetParam() > 64;  // SQLite needs room for the index of its log
+  EXPECT_TRUE(!can_be_read || test::eventually([&] {
     const test::Ended status = test::eerie(disk.path(), {"status"});
     return status.out.find("waiting: ") != std::string::npos;
-  })) << "the disk never filled up";
+  }));
   EXPECT_TRUE(daemon.running()) << "it waits, it does not end: " << daemon.wait().err;
-  EXPECT_FALSE(campaign.everything_is_done());
+  EXPECT_TRUE(!can_be_read || !campaign.everything_is_done());
   fs::remove(ballast);
   const test::Ended ended = daemon.wait(std::chrono::seconds(180));  // it goes on by itself
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -73,7 +76,7 @@ TEST_P(FullDisk, IsWaitedForAndNothingTornIsTakenForTrue) {
 }
 
 // From no room at all, through too little for the database, to too little for some of the jobs.
-INSTANTIATE_TEST_SUITE_P(WithSoManyKilobytesLeft, FullDisk, testing::Values(8, 100, 300, 700),
+INSTANTIATE_TEST_SUITE_P(WithSoManyKilobytesLeft, FullDisk, testing::Values(8, 100, 300, 600),
                          testing::PrintToStringParamName());
 
 TEST(Clocks, ThatJumpChangeNothing) {
