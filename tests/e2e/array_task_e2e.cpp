@@ -7,8 +7,8 @@
 #include "campaign/worker.hpp"
 #include "campaign/worker_lock.hpp"
 #include "tests/e2e/impacts.hpp"
-#include "tests/support/program.hpp"
 #include "tests/io/snapshot_fixture.hpp"
+#include "tests/support/program.hpp"
 
 namespace eerie {
 namespace {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/base/file.hpp"
-#include "tests/support/program.hpp"
 #include "tests/io/snapshot_fixture.hpp"
+#include "tests/support/program.hpp"
 
 namespace eerie {
 namespace {

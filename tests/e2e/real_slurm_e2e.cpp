@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "solver/base/file.hpp"
-#include "tests/support/program.hpp"
 #include "tests/e2e/real_slurm.hpp"
+#include "tests/support/program.hpp"
 
 namespace eerie::test {
 namespace fs = std::filesystem;

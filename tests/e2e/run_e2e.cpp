@@ -6,8 +6,8 @@
 
 #include "solver/base/file.hpp"
 #include "tests/campaign/malformed_sweeps.hpp"
-#include "tests/support/program.hpp"
 #include "tests/io/snapshot_fixture.hpp"
+#include "tests/support/program.hpp"
 
 namespace eerie {
 namespace {

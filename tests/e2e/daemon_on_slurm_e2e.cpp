@@ -1,0 +1,77 @@
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "campaign/slurm/batch.hpp"
+#include "solver/base/file.hpp"
+#include "tests/e2e/real_slurm.hpp"
+#include "tests/support/disturbed_campaign.hpp"
+
+namespace eerie {
+namespace {
+using nlohmann::json;
+using test::Program;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// The whole program on a cluster: daemon, nodes and files, and nothing of a test's in between.
+TEST(DaemonOnSlurm, FinishesEveryJobOnceThoughANodeFailsAndItIsKilled) {
+  if (const std::string reason = test::RealSlurm::missing(); !reason.empty())
+    GTEST_SKIP() << reason;
+  test::RealSlurm slurm;
+  ASSERT_TRUE(slurm.ready());
+  const test::TemporaryFolder folder;
+  install_text(folder / "cluster.json", json{{"poll_interval_s", 1},
+                                             {"minutes_per_array_task", 0.002},
+                                             {"extra_sbatch_options", json::array({"--exclusive"})}}
+                                            .dump());
+  constexpr int count = 40;
+  const test::DisturbedCampaign campaign(folder.path(), count, 3000);
+  const fs::path jobs = folder / "shared";
+  std::vector<std::string> words = {"daemon",       "--scheduler", "slurm",       "--profile",
+                                    "cluster.json", "--jobs-dir",  jobs.string(), "--until-idle"};
+  const auto done = [&] { return campaign.number("SELECT count(*) FROM results"); };
+  {
+    Program daemon(folder.path(), words);
+    ASSERT_TRUE(test::eventually([&] { return done() >= 5 && !slurm.queue("n2").empty(); }));
+    slurm.fail("n2");
+    ASSERT_TRUE(test::eventually([&] { return slurm.start_requeued(), done() >= 12; }));
+    daemon.send(SIGKILL);
+    daemon.wait();
+    slurm.resume("n2");
+  }
+  Program daemon(folder.path(), words);
+  EXPECT_TRUE(test::eventually([&] { return slurm.start_requeued(), !daemon.running(); },
+                               std::chrono::seconds(100)));
+  const test::Ended ended = daemon.wait();
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(done(), count);
+  EXPECT_EQ(campaign.number("SELECT count(*) FROM jobs WHERE state = 'done'"), count);
+  EXPECT_EQ(campaign.number("SELECT count(*) FROM attempts WHERE worker LIKE 'slurm %'"), count);
+  int ran_to_their_ends = 0;
+  for (const auto& job : fs::directory_iterator(jobs)) {
+    if (job.path().filename() == "batches") continue;
+    const std::string log = read_file(job.path() / "log.txt");
+    const std::size_t first = log.find(" info done: ");
+    EXPECT_NE(first, std::string::npos) << log;
+    EXPECT_EQ(log.find(" info done: ", first + 1), std::string::npos) << log;
+    ++ran_to_their_ends;
+  }
+  EXPECT_EQ(ran_to_their_ends, count);
+  EXPECT_EQ(test::eerie(folder.path(), {"doctor"}).code, 0);
+}
+
+TEST(DaemonOnSlurm, SaysWhatIsWrongWithAProfile) {
+  const test::TemporaryFolder folder;
+  install_text(folder / "cluster.json", R"({"partitoin": "batch"})");
+  const test::Ended ended =
+      test::eerie(folder.path(), {"daemon", "--scheduler", "slurm", "--profile", "cluster.json"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("partitoin"));
+  EXPECT_FALSE(fs::exists(folder / "eerie.sqlite"));
+}
+
+}  // namespace
+}  // namespace eerie
