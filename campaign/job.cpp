@@ -29,8 +29,9 @@ double expected_particle_steps(const Scene& scene) {
 
 db::NewJob new_job(const Scene& scene) {
   db::NewJob job;
-  job.hash = scene_hash(scene);
-  job.scene = to_json(scene).dump();
+  nlohmann::json canonical = to_json(scene);
+  job.scene = canonical.dump();
+  job.hash = canonical_hash(std::move(canonical));
   job.q = scene.impact.q;
   job.phi_d_deg = scene.material.drucker_prager.phi_d_deg;
   job.v_imp_cm_per_s = scene.impact.v_imp_cm_per_s;

@@ -252,7 +252,7 @@ void Manager::settle(const Running& run, const std::optional<WorkerEnd>& end) {
   // After a second Ctrl-C the workers die by our own hand, which is no crash of theirs.
   const bool killed_by_us = obeyed_ > 1;
   const Verdict verdict = judge(directory, run.job.hash, killed_by_us ? std::nullopt : end);
-  Attempt attempt{end, particle_steps(directory), 0, run.over_wall_limit};
+  Attempt attempt{end, read_ended(directory), particle_steps(directory), 0, run.over_wall_limit};
   if (run.at_work)
     attempt.wall_s = std::chrono::duration<double>(Clock::now() - *run.at_work).count();
   kill_point("manager.before-commit");

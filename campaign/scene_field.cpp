@@ -15,12 +15,16 @@
 namespace eerie {
 using nlohmann::json;
 
+std::string field_pointer(const std::string& path) {
+  std::string text = "/" + path;
+  std::replace(text.begin(), text.end(), '.', '/');
+  return text;
+}
+
 namespace {
 
 json::json_pointer pointer(const std::string& path) {
-  std::string text = "/" + path;
-  std::replace(text.begin(), text.end(), '.', '/');
-  return json::json_pointer(text);
+  return json::json_pointer(field_pointer(path));
 }
 
 void collect_leaves(const json& schema, const std::string& prefix,

@@ -8,6 +8,9 @@
 
 namespace eerie {
 
+/// "/impact/q" of "impact.q".
+std::string field_pointer(const std::string& path);
+
 /// Short names of the fields that every sweep varies.
 struct ShortName {
   std::string_view name, path;

@@ -84,16 +84,32 @@ std::size_t point_count(const Sweep& sweep) {
 }
 
 std::vector<Scene> expand(const Sweep& sweep) {
+  // Each value of each axis is checked against the schema once; of the combinations only whether
+  // their values fit together.
+  const std::string where = sweep.where + ": scene";
+  json first = sweep.scene;
+  for (const Axis& axis : sweep.axes)
+    set_field(first, axis.path, canonical_number(axis.values.front()));
+  const Scene base = parse_scene(first, where);
+  for (const Axis& axis : sweep.axes)
+    for (const double value : axis.values) {
+      json scene = first;
+      set_field(scene, axis.path, canonical_number(value));
+      parse_scene(scene, where);
+    }
+
+  std::vector<FieldChange> changes;
+  for (const Axis& axis : sweep.axes) changes.push_back({field_pointer(axis.path), 0});
   std::vector<Scene> scenes;
   scenes.reserve(point_count(sweep));
   for (std::size_t point = 0; point < point_count(sweep); ++point) {
-    json scene = sweep.scene;
     std::size_t rest = point;
-    for (auto axis = sweep.axes.rbegin(); axis != sweep.axes.rend(); ++axis) {
-      set_field(scene, axis->path, canonical_number(axis->values[rest % axis->values.size()]));
-      rest /= axis->values.size();
+    for (std::size_t k = sweep.axes.size(); k-- > 0;) {
+      const std::vector<double>& values = sweep.axes[k].values;
+      changes[k].value = values[rest % values.size()];
+      rest /= values.size();
     }
-    scenes.push_back(parse_scene(scene, sweep.where + ": scene"));
+    scenes.push_back(changed(base, changes, where));
   }
   return scenes;
 }

@@ -90,10 +90,16 @@ db::JobState commit(db::Connection& connection, const db::Job& job, const Verdic
   db::AttemptEnd row;
   row.particle_steps = attempt.particle_steps;
   row.wall_s = attempt.wall_s;
-  if (attempt.end) {
-    row.core_seconds = attempt.end->core_seconds;
-    row.peak_memory_bytes = attempt.end->peak_memory_bytes;
+  if (attempt.word) {
+    row.host = attempt.word->host;
+    if (attempt.word->pid > 0) row.pid = attempt.word->pid;
+    if (attempt.word->core_seconds > 0) row.core_seconds = attempt.word->core_seconds;
+    if (attempt.word->peak_memory_bytes > 0)
+      row.peak_memory_bytes = attempt.word->peak_memory_bytes;
   }
+  if (attempt.end && attempt.end->core_seconds) row.core_seconds = attempt.end->core_seconds;
+  if (attempt.end && attempt.end->peak_memory_bytes)
+    row.peak_memory_bytes = attempt.end->peak_memory_bytes;
   const auto end_as = [&](db::ExitReason reason, std::string kind, std::string message,
                           db::JobState next) {
     row.reason = reason;

@@ -36,6 +36,7 @@ Verdict judge(const JobDirectory& directory, const std::string& hash,
 /// An attempt that is over.
 struct Attempt {
   std::optional<WorkerEnd> end = {};
+  std::optional<AttemptEnded> word = {};  ///< the worker's own
   std::optional<double> particle_steps = {};
   double wall_s = 0;             ///< that its worker was seen at work
   bool over_wall_limit = false;  ///< and was stopped for it

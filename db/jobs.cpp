@@ -76,11 +76,12 @@ void set_state(SQLite::Database& sql, std::int64_t job, JobState state) {
 void close_attempt(SQLite::Database& sql, std::int64_t job, const AttemptEnd& end) {
   SQLite::Statement update(sql, R"(UPDATE attempts SET
       ended = strftime('%Y-%m-%dT%H:%M:%fZ', 'now'), exit_reason = ?, failure_kind = ?,
-      message = ?, core_seconds = ?, particle_steps = ?, peak_memory_bytes = ?
+      message = ?, core_seconds = ?, particle_steps = ?, peak_memory_bytes = ?,
+      host = coalesce(?, host), pid = coalesce(?, pid)
       WHERE job_id = ? AND ended IS NULL)");
   bind_all(update, name(exit_reason_names, end.reason), null_if_empty(end.failure_kind),
            null_if_empty(end.message), end.core_seconds, end.particle_steps, end.peak_memory_bytes,
-           job);
+           null_if_empty(end.host), end.pid, job);
   update.exec();
 }
 

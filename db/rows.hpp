@@ -52,7 +52,9 @@ struct AttemptEnd {
   std::string failure_kind = {}, message = {};
   std::optional<double> core_seconds = {}, particle_steps = {};
   std::optional<std::int64_t> peak_memory_bytes = {};
-  double wall_s = 0;  ///< that the worker was seen at work
+  double wall_s = 0;      ///< that the worker was seen at work
+  std::string host = {};  ///< where it worked; empty: where its manager is
+  std::optional<std::int64_t> pid = {};
 };
 
 /// A row of `job_results`.

@@ -145,6 +145,17 @@ const json& scene_schema() {
   return schema;
 }
 
+/// What no field can say of itself.
+void require_usable(const Scene& scene, const std::string& where) {
+  require_consistent(scene, where);
+  if (impactor_particles(scene) < 100)
+    throw InputError(fmt::format(
+        "{}.impact.q = {}: the impactor would have {} particles and needs at least 100; "
+        "raise numerics.particles_per_target to {} or more, or raise q",
+        where, scene.impact.q, impactor_particles(scene),
+        static_cast<std::int64_t>(std::ceil(100 / scene.impact.q))));
+}
+
 Scene parse_scene(const json& given, const std::string& where) {
   json document = given;
   normalise_integers(document);
@@ -154,28 +165,40 @@ Scene parse_scene(const json& given, const std::string& where) {
   visit_fields(scene, [&](const char* path, auto& member) {
     document.at(json::json_pointer(path)).get_to(member);
   });
-  require_consistent(scene, where);
-  if (impactor_particles(scene) < 100)
-    throw InputError(fmt::format(
-        "{}.impact.q = {}: the impactor would have {} particles and needs at least 100; "
-        "raise numerics.particles_per_target to {} or more, or raise q",
-        where, scene.impact.q, impactor_particles(scene),
-        static_cast<std::int64_t>(std::ceil(100 / scene.impact.q))));
+  require_usable(scene, where);
+  return scene;
+}
+
+Scene changed(Scene scene, std::span<const FieldChange> changes, const std::string& where) {
+  for (const FieldChange& change : changes)
+    visit_fields(scene, [&](const char* path, auto& member) {
+      using Member = std::remove_reference_t<decltype(member)>;
+      if constexpr (std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>)
+        if (change.pointer == path) member = static_cast<Member>(change.value);
+    });
+  require_usable(scene, where);
   return scene;
 }
 
 json to_json(const Scene& scene) {
+  static const std::vector<json::json_pointer> pointers = [] {
+    std::vector<json::json_pointer> all;
+    const Scene any{};
+    visit_fields(any, [&](const char* path, const auto&) { all.emplace_back(path); });
+    return all;
+  }();
   json document;
-  visit_fields(scene, [&](const char* path, const auto& member) {
-    document[json::json_pointer(path)] = member;
-  });
+  std::size_t field = 0;
+  visit_fields(scene,
+               [&](const char*, const auto& member) { document[pointers[field++]] = member; });
   return document;
 }
 
-std::string scene_hash(const Scene& scene) {
-  json identity = to_json(scene);
-  identity.erase("output");
-  return sha256_hex(identity.dump());
+std::string scene_hash(const Scene& scene) { return canonical_hash(to_json(scene)); }
+
+std::string canonical_hash(json canonical) {
+  canonical.erase("output");
+  return sha256_hex(canonical.dump());
 }
 
 double impactor_radius(const Scene& s) { return s.target.radius_m * std::cbrt(s.impact.q); }

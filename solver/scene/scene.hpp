@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -116,8 +117,19 @@ Scene parse_scene(const nlohmann::json& json, const std::string& where = "scene"
 /// (30 and 30.0 are one). parse_scene() of it gives the same scene.
 nlohmann::json to_json(const Scene& scene);
 
+/// A numeric field by its JSON pointer ("/impact/q"), and a value that the schema allows.
+struct FieldChange {
+  std::string pointer;
+  double value = 0;
+};
+/// The scene with other values in some fields. Throws InputError where they do not fit together,
+/// as parse_scene() does.
+Scene changed(Scene scene, std::span<const FieldChange> changes, const std::string& where);
+
 /// SHA-256 (hex) of the canonical scene without its output section: what a job *is*.
 std::string scene_hash(const Scene& scene);
+/// scene_hash() of a scene whose to_json() is at hand.
+std::string canonical_hash(nlohmann::json canonical);
 
 /// The JSON Schema of a scene, as shipped.
 const nlohmann::json& scene_schema();

@@ -20,6 +20,7 @@
 #include "solver/base/file.hpp"
 #include "tests/campaign/job_files.hpp"
 #include "tests/db/sample_jobs.hpp"
+#include "tests/io/snapshot_fixture.hpp"
 #include "tests/support/program.hpp"
 
 namespace eerie {

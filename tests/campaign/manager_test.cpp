@@ -379,6 +379,11 @@ TEST_F(ManagerOn, AWorkerThatAnEarlierManagerLeftIsJudgedByItsOwnWord) {
   ScriptedWorkers workers({});
   EXPECT_EQ(work(workers).done, 3u);
   EXPECT_EQ(db::jobs(connection, {.selection = {.hashes = {job.hash}}}).at(0).crashes, 1);
+  const db::AttemptRow row = db::attempts(connection, job.id).at(0);
+  EXPECT_EQ(row.host, "there");
+  EXPECT_EQ(row.core_seconds, 2.0);
+  EXPECT_EQ(row.peak_memory_bytes, 1000);
+  EXPECT_EQ(row.failure_kind, "signal 11");
 }
 
 TEST_F(ManagerOn, AnotherFolderForJobDirectoriesWorksThere) {
