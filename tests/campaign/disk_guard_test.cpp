@@ -43,10 +43,11 @@ TEST(DiskGuard, WaitsTwiceAsLongEachTimeADiskWasFullUntilAJobGetsThrough) {
   EXPECT_FALSE(guard.complaint(start + seconds(1)));
 }
 
-TEST(Disk, HasNoRoomForMoreThanThereIs) {
+// Asking for more than there is would fill the disk of whoever runs this test for a moment; a
+// full disk has its tests in surroundings_fault.cpp.
+TEST(Disk, HasRoomForAByte) {
   const test::TemporaryFolder folder;
   EXPECT_TRUE(has_room(folder.path(), 1));
-  EXPECT_FALSE(has_room(folder.path(), 2 * free_bytes(folder.path()).value()));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "the probe is removed";
   EXPECT_EQ(free_bytes(folder / "missing"), std::nullopt);
 }
