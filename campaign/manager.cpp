@@ -336,9 +336,9 @@ void Manager::count(const db::Job& job, db::JobState from, db::JobState to) {
 }
 
 CampaignView Manager::view() const {
-  return {counts_.total(),
+  return {counts_.total() - counts_[db::JobState::cancelled],
           counts_[db::JobState::done],
-          counts_[db::JobState::failed] + counts_[db::JobState::cancelled],
+          counts_[db::JobState::failed],
           running_.size() + foreign_.size(),
           counts_.paused,
           throughput_.particle_steps_per_s(),

@@ -1,6 +1,7 @@
 #include "campaign/slurm/slurm_scheduler.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -174,6 +175,16 @@ void SlurmScheduler::refresh() {
   std::vector<std::string> names;
   for (const LiveBatch& batch : live_) names.push_back(batch.batch().name());
   const auto queue = cluster_.queue(names);
+  if (queue.has_value() == squeue_is_silent_) {
+    squeue_is_silent_ = !queue.has_value();
+    if (squeue_is_silent_)
+      spdlog::warn(
+          "event=squeue-silent batches={} message=\"jobs go on; nothing is concluded but "
+          "from their files\"",
+          live_.size());
+    else
+      spdlog::info("event=squeue-answers");
+  }
   if (queue) {
     std::unordered_map<std::string, Queue::const_iterator> by_name;
     for (auto entry = queue->begin(); entry != queue->end(); ++entry)

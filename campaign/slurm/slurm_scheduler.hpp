@@ -51,6 +51,7 @@ class SlurmScheduler : public Scheduler {
   std::unordered_map<std::string, int> held_;  ///< job directory -> batches that hold it
   std::vector<WorkerEnd> ended_;               ///< not reported yet
   Clock::time_point next_poll_{};
+  bool squeue_is_silent_ = false;
 };
 
 }  // namespace eerie
