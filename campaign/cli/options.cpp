@@ -9,14 +9,19 @@
 namespace eerie::cli {
 namespace {
 
-double parse_number(const std::string& text, const std::string& whole, const std::string& option) {
-  std::size_t used = 0;
-  double value = 0;
+/// The number at the beginning of a text, and how many characters it takes; 0 without one.
+std::pair<double, std::size_t> leading_number(const std::string& text) {
   try {
-    value = std::stod(text, &used);
+    std::size_t used = 0;
+    const double value = std::stod(text, &used);
+    return {value, used};
   } catch (const std::logic_error&) {
-    used = 0;
+    return {0, 0};
   }
+}
+
+double parse_number(const std::string& text, const std::string& whole, const std::string& option) {
+  const auto [value, used] = leading_number(text);
   if (used == 0 || used != text.size())
     throw InputError(fmt::format("{} {}: must be LO:HI or one number; for example {} 18:22", option,
                                  whole, option));
@@ -88,13 +93,7 @@ double parse_duration(const std::string& text, const std::string& option) {
     double seconds;
   };
   constexpr Unit units[] = {{"", 1}, {"s", 1}, {"min", 60}, {"h", 3600}, {"d", 86400}};
-  std::size_t used = 0;
-  double value = 0;
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::logic_error&) {
-    used = 0;
-  }
+  const auto [value, used] = leading_number(text);
   if (used > 0 && value > 0 && value < 1e9)
     for (const Unit& unit : units)
       if (text.substr(used) == unit.name) return value * unit.seconds;

@@ -91,6 +91,27 @@ TEST(ResultsJson, WritesUnknownValuesAsNull) {
   EXPECT_EQ(results_json({}), nlohmann::json::array());
 }
 
+TEST(ParseDuration, TakesTheUnitsOfPeopleAndNothingElse) {
+  EXPECT_EQ(parse_duration("90", "--wall-limit"), 90);
+  EXPECT_EQ(parse_duration("90s", "--wall-limit"), 90);
+  EXPECT_EQ(parse_duration("45min", "--wall-limit"), 2700);
+  EXPECT_EQ(parse_duration("1.5d", "--wall-limit"), 129600);
+  for (const char* text : {"", "h", "-1h", "0", "2 hours", "1e99", "nan", "inf"})
+    EXPECT_THROW(parse_duration(text, "--wall-limit"), InputError) << text;
+}
+
+TEST(SelectionArguments, AskWhichJobsAreMeantAndRefuseWhatIsNoHash) {
+  SelectionArguments nothing;
+  EXPECT_THROW(selection_of(nothing, "pause"), InputError);
+  nothing.all = true;
+  EXPECT_TRUE(selection_of(nothing, "pause").is_everything());
+  for (const char* word : {"abc", "xyzw", "ABCD", "../../../etc", "' OR 1=1"}) {
+    SelectionArguments one;
+    one.jobs = {word};
+    EXPECT_THROW(selection_of(one, "pause"), InputError) << word;
+  }
+}
+
 TEST(Range, IsReadFromTwoNumbersOrOne) {
   EXPECT_EQ(parse_range("18:22.5", "--v").hi, 22.5);
   EXPECT_EQ(parse_range("20", "--v").lo, 20);
