@@ -58,6 +58,9 @@ TEST_F(Daemon, WorksOnWhatIsSubmittedAndEndsWhenTold) {
   EXPECT_THAT(submitted.out, HasSubstr("2 jobs, 2 new"));
   EXPECT_TRUE(becomes("SELECT count(*) FROM results", 2));
   EXPECT_THAT(eerie({"submit", "sweep.json"}).out, HasSubstr("2 jobs, 0 new"));
+  const Ended second = eerie(daemon());
+  EXPECT_EQ(second.code, 3);
+  EXPECT_THAT(second.err, HasSubstr("process " + std::to_string(daemon_at_work.pid())));
   daemon_at_work.send(SIGTERM);
   const Ended ended = daemon_at_work.wait();
   EXPECT_EQ(ended.code, 0) << ended.err;
