@@ -197,6 +197,15 @@ TEST_F(ManagerOn, ARequestToStopStartsNothingMore) {
   EXPECT_EQ(in_state(db::JobState::pending), 3u);
 }
 
+TEST_F(ManagerOn, ARequestToStopLeavesWorkersAloneThatOutliveIt) {
+  ScriptedWorkers workers({Act::wait, Act::wait});
+  Manager manager(connection, workers, {.sweep = sweep, .leaves_workers = true});
+  manager.run([&] { return manager.view().running == 2 ? 1 : 0; }, [](const CampaignView&) {});
+  EXPECT_EQ(workers.stops + workers.kills, 0);
+  EXPECT_EQ(in_state(db::JobState::running), 2u);
+  EXPECT_EQ(in_state(db::JobState::pending), 1u);
+}
+
 TEST_F(ManagerOn, AWorkerThatWasStoppedGoesOnNextTime) {
   ScriptedWorkers workers({Act::stop});
   EXPECT_EQ(work(workers).done, 3u);
