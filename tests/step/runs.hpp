@@ -31,7 +31,9 @@ inline Told run_in(const TemporaryFolder& folder, const Scene& scene, RunOptions
   Told told;
   options.directory = folder.path();
   options.on_note = [&](const std::string& text) { told.notes.push_back(text); };
-  options.on_history = [&](const Snapshot& s, const Totals&) { told.history.push_back(s.state.time); };
+  options.on_history = [&](const Snapshot& s, const Totals&) {
+    told.history.push_back(s.state.time);
+  };
   told.summary = run_impact(scene, options);
   return told;
 }
