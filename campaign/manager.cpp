@@ -39,11 +39,9 @@ std::optional<double> particle_steps(const JobDirectory& directory) {
 }
 
 /// A result that another solver version made is kept, under its version's name.
-void set_aside_stale_result(const JobDirectory& directory, const std::string& hash) {
-  const auto stored = read_result(directory, hash);
-  if (!stored || stored->result.solver_version == solver_version) return;
+void set_aside_stale_result(const JobDirectory& directory, const StoredResult& stored) {
   fs::rename(directory.result(),
-             directory.path / ("result-" + stored->result.solver_version + ".json"));
+             directory.path / ("result-" + stored.result.solver_version + ".json"));
 }
 
 }  // namespace
@@ -134,9 +132,9 @@ void Manager::refresh() {
   for (const db::Job& job : db::unwanted_jobs(connection_))
     if (running_.contains(job.id) || foreign_.contains(job.id)) unwanted.push_back(task(job));
   if (!unwanted.empty()) scheduler_.stop(unwanted, StopKind::with_checkpoint);
-  for (auto& [id, run] : running_)
-    for (const db::Job& job : db::jobs(connection_, {.selection = {.hashes = {run.job.hash}}}))
-      run.job.wall_limit_s = job.wall_limit_s, run.job.wall_s = job.wall_s;
+  for (const db::Job& job : db::jobs(connection_, {std::nullopt, db::JobState::running}))
+    if (const auto run = running_.find(job.id); run != running_.end())
+      run->second.job.wall_limit_s = job.wall_limit_s, run->second.job.wall_s = job.wall_s;
 }
 
 void Manager::fill_slots() {
@@ -171,11 +169,13 @@ bool Manager::prepare(const db::Job& job) {
       adopt(job);
       return false;
     }
-    set_aside_stale_result(directory, job.hash);
-    if (read_result(directory, job.hash)) {
-      adopt(job);
-      reconcile();
-      return false;
+    if (const auto stored = read_result(directory, job.hash)) {
+      if (stored->result.solver_version == solver_version) {
+        adopt(job);
+        reconcile();
+        return false;
+      }
+      set_aside_stale_result(directory, *stored);
     }
     fs::create_directories(directory.path);
     for (const fs::path& old :

@@ -43,6 +43,31 @@ void bind_all(SQLite::Statement& statement, const Values&... values) {
   (bind_value(statement, ++index, values), ...);
 }
 
+/// Conditions on a job's point, of any filter that has them: one per set field, each naming its
+/// own parameter.
+template <class Filter>
+std::string point_conditions(const Filter& f) {
+  std::string text;
+  if (f.q) text += " AND q = :q";
+  if (f.phi_d_deg) text += " AND phi_d_deg = :phi_d";
+  if (f.v_imp_cm_per_s) text += " AND v_imp_cm_per_s BETWEEN :v_lo AND :v_hi";
+  if (f.theta_imp_deg) text += " AND theta_imp_deg BETWEEN :theta_lo AND :theta_hi";
+  return text;
+}
+template <class Filter>
+void bind_point(SQLite::Statement& statement, const Filter& f) {
+  if (f.q) statement.bind(":q", *f.q);
+  if (f.phi_d_deg) statement.bind(":phi_d", *f.phi_d_deg);
+  if (f.v_imp_cm_per_s) {
+    statement.bind(":v_lo", f.v_imp_cm_per_s->lo);
+    statement.bind(":v_hi", f.v_imp_cm_per_s->hi);
+  }
+  if (f.theta_imp_deg) {
+    statement.bind(":theta_lo", f.theta_imp_deg->lo);
+    statement.bind(":theta_hi", f.theta_imp_deg->hi);
+  }
+}
+
 /// Name of an enumerator in its table, and back.
 template <class E, std::size_t n>
 std::string name(const std::array<std::string_view, n>& names, E value) {

@@ -44,6 +44,17 @@ std::size_t retry(SQLite::Database& sql, const Selection& selection) {
   return update(sql, clean_slate, "state IN ('failed', 'cancelled')", selection);
 }
 
+std::size_t retry_failed(Connection& connection, std::int64_t sweep) {
+  std::size_t count = 0;
+  connection.write([&](SQLite::Database& sql) {
+    count = update(sql, clean_slate,
+                   "state = 'failed' AND id IN (SELECT job_id FROM sweep_jobs WHERE sweep_id = "
+                   ":sweep_id)",
+                   {}, [&](SQLite::Statement& s) { s.bind(":sweep_id", sweep); });
+  });
+  return count;
+}
+
 std::size_t rerun_stale(SQLite::Database& sql, const Selection& selection) {
   return update(sql, clean_slate,
                 "state = 'done' AND id IN (SELECT job_id FROM job_results WHERE solver_version <> "

@@ -20,6 +20,8 @@ std::size_t resume(SQLite::Database& sql, const Selection& selection);
 std::size_t cancel(SQLite::Database& sql, const Selection& selection);
 /// Failed and cancelled jobs are pending again, with a clean slate.
 std::size_t retry(SQLite::Database& sql, const Selection& selection);
+/// Failed jobs of this very sweep alone; in a transaction of its own.
+std::size_t retry_failed(Connection& connection, std::int64_t sweep);
 /// Jobs whose result an other solver version made are pending again; the old result stays until
 /// there is a new one.
 std::size_t rerun_stale(SQLite::Database& sql, const Selection& selection);

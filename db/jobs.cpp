@@ -286,16 +286,4 @@ void finish(SQLite::Database& sql, std::int64_t job, const AttemptEnd& end, cons
   insert_remnants(sql, job, remnants);
 }
 
-std::size_t retry_failed(Connection& connection, std::int64_t sweep) {
-  std::size_t count = 0;
-  connection.write([&](SQLite::Database& sql) {
-    SQLite::Statement update(sql, R"(UPDATE jobs SET state = 'pending', wanted = 'run', crashes = 0,
-        wall_s = 0
-        WHERE state = 'failed' AND id IN (SELECT job_id FROM sweep_jobs WHERE sweep_id = ?))");
-    bind_all(update, sweep);
-    count = static_cast<std::size_t>(update.exec());
-  });
-  return count;
-}
-
 }  // namespace eerie::db

@@ -89,7 +89,4 @@ void finish(Connection& connection, std::int64_t job, const AttemptEnd& end, con
 void finish(SQLite::Database& sql, std::int64_t job, const AttemptEnd& end, const Result& result,
             std::span<const Remnant> remnants);
 
-/// Failed jobs of a sweep are pending again, with a clean slate. Returns how many.
-std::size_t retry_failed(Connection& connection, std::int64_t sweep);
-
 }  // namespace eerie::db

@@ -12,14 +12,10 @@ std::optional<double> number(const SQLite::Column& column) {
   return column.isNull() ? std::nullopt : std::optional(column.getDouble());
 }
 
-/// One condition per set field; each names its own parameter.
 std::string conditions(const ResultFilter& f) {
   std::string text;
   if (f.sweep) text += " AND job IN (SELECT job_id FROM sweep_jobs WHERE sweep_id = :sweep)";
-  if (f.q) text += " AND q = :q";
-  if (f.phi_d_deg) text += " AND phi_d_deg = :phi_d";
-  if (f.v_imp_cm_per_s) text += " AND v_imp_cm_per_s BETWEEN :v_lo AND :v_hi";
-  if (f.theta_imp_deg) text += " AND theta_imp_deg BETWEEN :theta_lo AND :theta_hi";
+  text += point_conditions(f);
   if (f.outcome_class) text += " AND class = :class";
   if (f.eer_only) text += " AND n_eer > 0";
   return text;
@@ -27,16 +23,7 @@ std::string conditions(const ResultFilter& f) {
 
 void bind_conditions(SQLite::Statement& select, const ResultFilter& f) {
   if (f.sweep) select.bind(":sweep", *f.sweep);
-  if (f.q) select.bind(":q", *f.q);
-  if (f.phi_d_deg) select.bind(":phi_d", *f.phi_d_deg);
-  if (f.v_imp_cm_per_s) {
-    select.bind(":v_lo", f.v_imp_cm_per_s->lo);
-    select.bind(":v_hi", f.v_imp_cm_per_s->hi);
-  }
-  if (f.theta_imp_deg) {
-    select.bind(":theta_lo", f.theta_imp_deg->lo);
-    select.bind(":theta_hi", f.theta_imp_deg->hi);
-  }
+  bind_point(select, f);
   if (f.outcome_class) select.bind(":class", *f.outcome_class);
 }
 

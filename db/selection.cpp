@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "db/bind.hpp"
+
 namespace eerie::db {
 
 std::string conditions(const Selection& s) {
@@ -15,27 +17,14 @@ std::string conditions(const Selection& s) {
     text += fmt::format("{}(hash >= :hash{} AND hash < :hash{} || 'g')", i == 0 ? " AND (" : " OR ",
                         i, i);
   if (!s.hashes.empty()) text += ")";
-  if (s.q) text += " AND q = :q";
-  if (s.phi_d_deg) text += " AND phi_d_deg = :phi_d";
-  if (s.v_imp_cm_per_s) text += " AND v_imp_cm_per_s BETWEEN :v_lo AND :v_hi";
-  if (s.theta_imp_deg) text += " AND theta_imp_deg BETWEEN :theta_lo AND :theta_hi";
-  return text;
+  return text + point_conditions(s);
 }
 
 void bind_conditions(SQLite::Statement& statement, const Selection& s) {
   if (s.sweep) statement.bind(":sweep", *s.sweep);
   for (std::size_t i = 0; i < s.hashes.size(); ++i)
     statement.bind(fmt::format(":hash{}", i), s.hashes[i]);
-  if (s.q) statement.bind(":q", *s.q);
-  if (s.phi_d_deg) statement.bind(":phi_d", *s.phi_d_deg);
-  if (s.v_imp_cm_per_s) {
-    statement.bind(":v_lo", s.v_imp_cm_per_s->lo);
-    statement.bind(":v_hi", s.v_imp_cm_per_s->hi);
-  }
-  if (s.theta_imp_deg) {
-    statement.bind(":theta_lo", s.theta_imp_deg->lo);
-    statement.bind(":theta_hi", s.theta_imp_deg->hi);
-  }
+  bind_point(statement, s);
 }
 
 }  // namespace eerie::db

@@ -67,10 +67,7 @@ Action add_analyse(CLI::App& app) {
 Action add_query(CLI::App& app) {
   auto a = std::make_shared<QueryArguments>();
   add_database(app, a->database);
-  app.add_option("--q", a->q, "mass ratio");
-  app.add_option("--phi-d", a->phi_d_deg, "friction angle, deg");
-  app.add_option("--v", a->v, "impact speed LO:HI or one value, cm/s");
-  app.add_option("--theta", a->theta, "impact angle LO:HI or one value, deg");
+  add_point(app, *a);
   app.add_option("--class", a->outcome_class, "outcome class");
   app.add_flag("--eer", a->eer, "only impacts with an extremely elongated remnant");
   app.add_option("--format", a->format, "table, csv or json")

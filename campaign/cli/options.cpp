@@ -67,10 +67,7 @@ void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "print J
 void add_selection(CLI::App& app, SelectionArguments& a) {
   app.add_option("JOB", a.jobs, "jobs, by the first digits of their hashes");
   app.add_option("--sweep", a.sweep, "the jobs of the sweep of this name");
-  app.add_option("--q", a.q, "mass ratio");
-  app.add_option("--phi-d", a.phi_d_deg, "friction angle, deg");
-  app.add_option("--v", a.v, "impact speed LO:HI or one value, cm/s");
-  app.add_option("--theta", a.theta, "impact angle LO:HI or one value, deg");
+  add_point(app, a);
   app.add_flag("--all", a.all, "every job of the database");
 }
 

@@ -23,6 +23,15 @@ void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
 void add_share(CLI::App& app, int& workers, int& threads_per_job);
 void add_json(CLI::App& app, bool& json);
 
+/// Conditions on a job's point, of any arguments that have them.
+template <class Arguments>
+void add_point(CLI::App& app, Arguments& a) {
+  app.add_option("--q", a.q, "mass ratio");
+  app.add_option("--phi-d", a.phi_d_deg, "friction angle, deg");
+  app.add_option("--v", a.v, "impact speed LO:HI or one value, cm/s");
+  app.add_option("--theta", a.theta, "impact angle LO:HI or one value, deg");
+}
+
 /// Jobs as words, --sweep and the conditions of `query`.
 struct SelectionArguments {
   std::vector<std::string> jobs;

@@ -14,6 +14,7 @@
 #include "campaign/job_directory.hpp"
 #include "campaign/map.hpp"
 #include "campaign/signals.hpp"
+#include "db/control.hpp"
 #include "db/jobs.hpp"
 #include "db/lock.hpp"
 #include "solver/base/error.hpp"

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -95,14 +94,7 @@ double overhead_ms(const fs::path& folder) {
 double idle_percent(const fs::path& folder) {
   constexpr double watched_s = 10;
   test::Program daemon(folder, {"daemon", "--workers", "1", "--min-free-mb", "0"});
-  const auto ticks = [&] {
-    std::ifstream stat("/proc/" + std::to_string(daemon.pid()) + "/stat");
-    std::string word;
-    long sum = 0;
-    for (int field = 1; field <= 15 && stat >> word; ++field)
-      if (field >= 14) sum += std::stol(word);
-    return static_cast<double>(sum);
-  };
+  const auto ticks = [&] { return static_cast<double>(test::processor_ticks(daemon.pid())); };
   const auto wait = [](double s) {
     const auto start = Clock::now();
     test::eventually([&] { return Clock::now() - start > std::chrono::duration<double>(s); });

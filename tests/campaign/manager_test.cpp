@@ -7,6 +7,7 @@
 #include "campaign/job.hpp"
 #include "campaign/worker.hpp"
 #include "campaign/worker_lock.hpp"
+#include "db/control.hpp"
 #include "db/query.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/sha256.hpp"

@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "db/control.hpp"
 #include "db/error.hpp"
 #include "db/query.hpp"
 #include "tests/db/sample_jobs.hpp"

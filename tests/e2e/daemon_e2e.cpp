@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "solver/base/file.hpp"
@@ -173,15 +172,7 @@ TEST_F(Daemon, StopsAJobAtItsWallLimitAndGoesOnWithALargerOne) {
 TEST_F(Daemon, IsHardlyAtWorkWhenThereIsNothingToDo) {
   Program daemon_at_work(folder.path(), daemon());
   wait_for_daemon();
-  // Fields 14 and 15 of /proc/PID/stat: processor time in hundredths of a second.
-  const auto ticks = [&] {
-    std::ifstream stat("/proc/" + std::to_string(daemon_at_work.pid()) + "/stat");
-    std::string word;
-    long sum = 0;
-    for (int field = 1; field <= 15 && stat >> word; ++field)
-      if (field >= 14) sum += std::stol(word);
-    return sum;
-  };
+  const auto ticks = [&] { return test::processor_ticks(daemon_at_work.pid()); };
   const auto start = std::chrono::steady_clock::now();
   const long before = ticks();
   test::eventually(

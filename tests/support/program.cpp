@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 #include <thread>
 
 #include "campaign/job_directory.hpp"
@@ -96,6 +97,16 @@ void write_sweep(const fs::path& folder, double end_time_s, const std::string& g
       "output": {"history_interval_s": 5000, "checkpoint_interval_s": 0.1},
       "end": {"time_s": )" +
                    std::to_string(end_time_s) + R"(}}, "grid": )" + grid + "}");
+}
+
+long processor_ticks(pid_t pid) {
+  // Fields 14 and 15: in user mode and in the kernel.
+  std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
+  std::string word;
+  long sum = 0;
+  for (int field = 1; field <= 15 && stat >> word; ++field)
+    if (field >= 14) sum += std::stol(word);
+  return sum;
 }
 
 std::vector<fs::path> job_directories(const fs::path& database) {

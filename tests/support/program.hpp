@@ -49,6 +49,9 @@ std::optional<pid_t> worker_at_work(const std::filesystem::path& job_directory);
 /// a second per 10,000 s.
 void write_sweep(const std::filesystem::path& folder, double end_time_s, const std::string& grid);
 
+/// Processor time that a process has used, in hundredths of a second.
+long processor_ticks(pid_t pid);
+
 /// The job directories of a database, in order of their names.
 std::vector<std::filesystem::path> job_directories(const std::filesystem::path& database);
 
