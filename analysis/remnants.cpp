@@ -69,6 +69,7 @@ Remnants find_remnants(const State& state) {
   const double total = state.mass * static_cast<double>(state.size());
   for (const BoundGroup& group : bound_groups(points, cores)) {
     found.group_masses.push_back(group.sum.mass);
+    found.group_cores.push_back(points[group.members.front()].mass);
     for (const std::size_t member : group.members) {
       if (member < cores) {
         found.remnants[member].bound_group = static_cast<int>(found.group_masses.size());
@@ -78,6 +79,7 @@ Remnants find_remnants(const State& state) {
       }
     }
   }
+  found.debris.assign(points.begin() + static_cast<std::ptrdiff_t>(cores), points.end());
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/orbit.hpp"
 #include "analysis/shape.hpp"
 #include "solver/base/vec3.hpp"
 #include "solver/particles/state.hpp"
@@ -35,7 +36,9 @@ struct Remnant {
 struct Remnants {
   std::vector<Remnant> remnants;     ///< from the most massive on
   std::vector<double> group_masses;  ///< of the bound groups, kg, from the most massive on
+  std::vector<double> group_cores;   ///< the most massive clump of each, kg
   double debris_bound_mass = 0;      ///< in clumps below remnant_min_particles, in some group, kg
+  std::vector<PointMass> debris;     ///< those clumps, from the most massive on
 };
 
 /// Friends-of-friends, then gravitational binding, then shape and spin of every remnant. Sums run

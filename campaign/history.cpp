@@ -1,58 +1,9 @@
 #include "campaign/history.hpp"
 
-#include <fmt/format.h>
-
-#include <sstream>
-
-#include "solver/base/file.hpp"
-
 namespace eerie {
 namespace fs = std::filesystem;
 
-namespace {
-
-std::string header() {
-  std::string names;
-  HistoryRow row;
-  visit_columns(row, [&](const char* name, const auto&) {
-    names += std::string(names.empty() ? "" : ",") + name;
-  });
-  return names + "\n";
-}
-
-std::string line_of(const HistoryRow& row) {
-  std::string line;
-  visit_columns(row, [&](const char*, const auto& value) {
-    line += fmt::format("{}{}", line.empty() ? "" : ",", value);
-  });
-  return line + "\n";
-}
-
-/// Whether the line has a number for every column, and no more.
-bool parse_line(const std::string& line, HistoryRow& row) {
-  std::istringstream in(line);
-  bool first = true, whole = true;
-  visit_columns(row, [&](const char*, auto& value) {
-    char comma = ',';
-    if (!first) in >> comma;
-    first = false;
-    whole = whole && comma == ',' && static_cast<bool>(in >> value);
-  });
-  return whole && in.peek() == std::char_traits<char>::eof();
-}
-
-}  // namespace
-
-std::vector<HistoryRow> read_history(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) return {};
-  std::istringstream lines(read_file(path));
-  std::vector<HistoryRow> rows;
-  HistoryRow row;
-  for (std::string line; std::getline(lines, line);)
-    if (parse_line(line, row)) rows.push_back(row);
-  return rows;
-}
+std::vector<HistoryRow> read_history(const fs::path& path) { return History(path).rows(); }
 
 HistoryRow history_row(double time_s, const Analysis& analysis) {
   HistoryRow row;
@@ -65,16 +16,6 @@ HistoryRow history_row(double time_s, const Analysis& analysis) {
   }
   if (analysis.remnants.size() > 1) row.m_2_over_m_total = analysis.remnants[1].mass_over_total;
   return row;
-}
-
-History::History(fs::path path) : path_(std::move(path)), rows_(read_history(path_)) {}
-
-void History::add(const HistoryRow& row) {
-  std::erase_if(rows_, [&](const HistoryRow& r) { return r.time_s >= row.time_s; });
-  rows_.push_back(row);
-  std::string text = header();
-  for (const HistoryRow& r : rows_) text += line_of(r);
-  install_text(path_, text);
 }
 
 bool separated_after_contact(const std::vector<HistoryRow>& rows, double q) {

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <concepts>
 #include <filesystem>
+#include <type_traits>
 #include <vector>
 
 #include "analysis/analysis.hpp"
+#include "analysis/settling.hpp"
+#include "campaign/series.hpp"
 
 namespace eerie {
 
@@ -25,6 +29,7 @@ struct HistoryRow {
 /// The numbers of a row in the order of its columns, with their names; reading and writing both
 /// walk this table.
 template <class Row, class Visit>
+requires std::same_as<std::remove_const_t<Row>, HistoryRow>
 void visit_columns(Row& row, Visit&& visit) {
   visit("time_s", row.time_s);
   visit("n_remnants", row.n_remnants);
@@ -47,28 +52,28 @@ void visit_columns(Row& row, Visit&& visit) {
   visit("density_error", row.density_error);
 }
 
+/// Of remnants.csv: each remnant that is watched, over time.
+template <class Row, class Visit>
+requires std::same_as<std::remove_const_t<Row>, RemnantLook>
+void visit_columns(Row& row, Visit&& visit) {
+  visit("time_s", row.time_s);
+  visit("rank", row.rank);
+  visit("mass_over_total", row.mass_over_total);
+  visit("target_fraction", row.target_fraction);
+  visit("a_m", row.a_m);
+  visit("b_over_a", row.b_over_a);
+  visit("c_over_a", row.c_over_a);
+  visit("turns_per_h", row.turns_per_h);
+}
+
 /// A row with what the analysis says.
 HistoryRow history_row(double time_s, const Analysis& analysis);
 
 /// The rows of a history.csv; none where the file is missing. Lines that are cut off are left out.
 std::vector<HistoryRow> read_history(const std::filesystem::path& path);
 
-/// The shape of an impact over time, in a file that a cut-off run goes on with.
-class History {
- public:
-  /// Goes on from the rows of an earlier attempt, where the file has some.
-  explicit History(std::filesystem::path path);
-
-  /// Installs the file with this row; rows of the same or a later time, left by an attempt that
-  /// was cut off after its last checkpoint, give way.
-  void add(const HistoryRow& row);
-
-  const std::vector<HistoryRow>& rows() const { return rows_; }
-
- private:
-  std::filesystem::path path_;
-  std::vector<HistoryRow> rows_;
-};
+/// The shape of an impact over time.
+using History = Series<HistoryRow>;
 
 /// Whether two large bodies (each at least half the impactor's share of the mass) were seen
 /// apart after they had been one: a merger of this kind is graze-and-merge.

@@ -66,6 +66,8 @@ StoredResult stored_result(const json& document) {
   }
   const json& run = document.at("run");
   r.dL_over_L = optional_value<double>(run, "dL_over_L");
+  r.ended_at_s = optional_value<double>(run, "end_time_s");
+  r.end_reason = run.value("end_reason", "");
   run.at("steps").get_to(r.steps);
   run.at("particle_steps").get_to(r.particle_steps);
   run.at("wall_s").get_to(r.wall_s);

@@ -38,6 +38,7 @@ json run_json(const Scene& scene, const RunSummary& summary) {
     stages[std::string(stage_names[i])] = summary.stages.seconds[i];
   const auto drift = angular_momentum_drift(scene, summary.first_totals, summary.last_totals);
   return {{"end_time_s", summary.progress.time},
+          {"end_reason", end_reason_names[static_cast<std::size_t>(summary.reason)]},
           {"steps", summary.progress.step},
           {"particle_steps", summary.progress.particle_steps},
           {"wall_s", summary.progress.wall_s},

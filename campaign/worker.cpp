@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/settled.hpp"
+#include "analysis/settling.hpp"
 #include "campaign/heartbeat.hpp"
 #include "campaign/history.hpp"
 #include "campaign/job_directory.hpp"
@@ -187,10 +188,19 @@ Computed compute(const Scene& scene, const fs::path& directory, int threads, lon
   options.max_steps = max_steps;
   options.on_progress = on_progress;
   options.on_history = [&](const Snapshot& snapshot, const Totals& start) {
-    history.add(full_row(snapshot, start));
+    history.add({full_row(snapshot, start)});
   };
-  options.settled = [](const Snapshot& snapshot) {
-    return !will_meet(find_remnants(snapshot.state).remnants);
+  options.will_meet = [](const Snapshot& snapshot) {
+    return will_meet(find_remnants(snapshot.state).remnants);
+  };
+  Series<RemnantLook> looks(JobDirectory{directory}.remnants());
+  options.settled = [&](const Snapshot& snapshot) {
+    const Remnants found = find_remnants(snapshot.state);
+    looks.add(look(snapshot.state.time, found, scene.end.settled));
+    const double mass = snapshot.state.mass * static_cast<double>(snapshot.state.size());
+    return encounters(found, mass, horizon(scene.end, snapshot.state.time), scene.end.settled)
+               .empty() &&
+           unsteadiness(looks.rows(), scene.end.settled).empty();
   };
   options.stop = StopRequest(JobDirectory{directory}.stop());
   options.on_note = [](const std::string& note) { spdlog::info("{}", note); };

@@ -87,6 +87,12 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/numerics/precision", s.numerics.precision);
   visit("/end/time_s", s.end.time_s);
   visit("/end/latest_s", s.end.latest_s);
+  visit("/end/settled/window_s", s.end.settled.window_s);
+  visit("/end/settled/shape", s.end.settled.shape);
+  visit("/end/settled/spin", s.end.settled.spin);
+  visit("/end/settled/mass", s.end.settled.mass);
+  visit("/end/settled/fall_back", s.end.settled.fall_back);
+  visit("/end/settled/horizon_s", s.end.settled.horizon_s);
   visit("/output/snapshot_interval_s", s.output.snapshot_interval_s);
   visit("/output/history_interval_s", s.output.history_interval_s);
   visit("/output/checkpoint_interval_s", s.output.checkpoint_interval_s);
@@ -198,6 +204,8 @@ std::string scene_hash(const Scene& scene) { return canonical_hash(to_json(scene
 
 std::string canonical_hash(json canonical) {
   canonical.erase("output");
+  // Younger than the first results: where it is off, a scene keeps the name it had before.
+  if (canonical["end"]["settled"]["window_s"] == 0) canonical["end"].erase("settled");
   return sha256_hex(canonical.dump());
 }
 

@@ -9,6 +9,9 @@
 
 namespace eerie {
 
+/// Remnants are looked at so often in end.settled.window_s.
+inline constexpr int looks_per_window = 8;
+
 /// Everything that decides the result of one impact, and nothing that a machine decides.
 /// Names carry their unit; defaults, ranges and meanings stand in scene.schema.json, which
 /// parse_scene() applies. An instance holds validated values only.
@@ -97,9 +100,19 @@ struct Scene {
     std::string precision;             ///< of pair sums: "float" or "double"; the state is double
   } numerics;
 
+  /// When remnants count as settled (analysis/settling.hpp).
+  struct Settled {
+    double window_s;   ///< over which nothing changes; 0: a run does not end by this
+    double shape;      ///< most change of b/a and of c/a
+    double spin;       ///< most relative change of the spin rate
+    double mass;       ///< of all: lighter clumps are fragments
+    double fall_back;  ///< part of all the mass: so much may change, and fall back later
+    double horizon_s;  ///< contacts that orbits foretell for later do not count
+  };
   struct End {
     double time_s;
     double latest_s;  ///< until then a run goes on while remnants are going to meet; 0: never
+    Settled settled;  ///< ends a run before time_s
   } end;
 
   struct Output {

@@ -44,13 +44,13 @@ class Schedule {
   long done_;
 };
 
-/// When a run ends. From end.time_s on it may end whenever `settled` says so, asked every thirtieth
-/// of that time, and at end.latest_s it does: a function of simulated time alone, so that an
-/// interrupted run ends at the same moment.
+/// When a run ends whose remnants do not settle before. From end.time_s on it may end as soon as
+/// nothing will meet, asked every thirtieth of that time, and at end.latest_s it does: a function
+/// of simulated time alone, so that an interrupted run ends at the same moment.
 class Ending {
  public:
-  Ending(const Scene::End& end, const std::function<bool(const Snapshot&)>& settled)
-      : end_(end), settled_(settled) {}
+  Ending(const Scene::End& end, const std::function<bool(const Snapshot&)>& will_meet)
+      : end_(end), will_meet_(will_meet) {}
 
   /// The next moment at which a run that has come to `now` may end.
   double next(double now) const {
@@ -59,17 +59,19 @@ class Ending {
     const double asked = std::floor((now - end_.time_s) / interval + 1e-6);
     return std::min(end_.latest_s, end_.time_s + (asked + 1) * interval);
   }
-  /// Whether a run that may end now does.
+  /// Why a run that may end now does; nothing where it goes on.
   template <class MakeSnapshot>
-  bool is_over(double now, MakeSnapshot&& snapshot) const {
-    if (end_.latest_s <= end_.time_s || now >= end_.latest_s * (1 - rounding)) return true;
-    return !settled_ || settled_(snapshot());
+  std::optional<EndReason> reason(double now, MakeSnapshot&& snapshot) const {
+    if (end_.latest_s <= end_.time_s) return EndReason::end_time;
+    if (!will_meet_ || !will_meet_(snapshot())) return EndReason::end_time;
+    if (now >= end_.latest_s * (1 - rounding)) return EndReason::latest_time;
+    return std::nullopt;
   }
   static constexpr double rounding = 1e-12;
 
  private:
   Scene::End end_;
-  const std::function<bool(const Snapshot&)>& settled_;
+  const std::function<bool(const Snapshot&)>& will_meet_;
 };
 
 class Run {
@@ -80,10 +82,11 @@ class Run {
         solver_(begin()),
         snapshots_(scene.output.snapshot_interval_s, solver_.state().time),
         histories_(scene.output.history_interval_s, solver_.state().time),
+        looks_(scene.end.settled.window_s / looks_per_window, solver_.state().time),
         last_good_(checkpoint()),
-        ending_(scene.end, options.settled),
+        ending_(scene.end, options.will_meet),
         goal_(ending_.next(solver_.state().time)),
-        over_(is_over()) {}
+        over_(reason_to_end()) {}
 
   RunSummary go() {
     const long first_step = solver_.state().step;
@@ -98,7 +101,7 @@ class Run {
         break;
       }
       advance();
-      over_ = is_over();
+      over_ = reason_to_end();
       write_outputs();
       if (options_.on_progress) options_.on_progress(progress());
     }
@@ -111,6 +114,7 @@ class Run {
     }
     RunSummary summary;
     summary.end = end;
+    summary.reason = over_.value_or(EndReason::end_time);
     summary.last = snapshot();
     summary.first_totals = first_totals_;
     summary.last_totals = totals(scene_, solver_.state());
@@ -123,13 +127,15 @@ class Run {
   }
 
  private:
-  /// Asked after every cycle; looks at the remnants at the goals alone.
-  bool is_over() {
+  /// Asked after every cycle; looks at the remnants when a look is due and at the goals alone.
+  std::optional<EndReason> reason_to_end() {
     const double now = solver_.state().time;
-    if (now < goal_ * (1 - Ending::rounding)) return false;
-    if (ending_.is_over(now, [this] { return snapshot(); })) return true;
-    goal_ = ending_.next(now);
-    return false;
+    if (looks_.due(now) && options_.settled && options_.settled(snapshot()))
+      return EndReason::settled;
+    if (now < goal_ * (1 - Ending::rounding)) return std::nullopt;
+    const auto reason = ending_.reason(now, [this] { return snapshot(); });
+    if (!reason) goal_ = ending_.next(now);
+    return reason;
   }
 
   fs::path numbered(long n) const {
@@ -210,11 +216,11 @@ class Run {
   Totals first_totals_;
   Clock::time_point start_ = Clock::now(), last_checkpoint_ = start_;
   Solver solver_;
-  Schedule snapshots_, histories_;
+  Schedule snapshots_, histories_, looks_;
   Snapshot last_good_;  ///< a checkpoint of the last history row
   Ending ending_;
   double goal_;  ///< the run may end then, and is asked again
-  bool over_;
+  std::optional<EndReason> over_;
 };
 
 }  // namespace

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "solver/base/stages.hpp"
 #include "solver/io/snapshot.hpp"
@@ -22,10 +24,17 @@ struct Progress {
 
 enum class RunEnd { finished, stopped, step_limit };
 
+/// Why a finished run ended: its remnants had settled, its time was over (and, where it may wait,
+/// nothing was going to meet), or it had waited for as long as it may.
+enum class EndReason { settled, end_time, latest_time };
+inline constexpr std::array<std::string_view, 3> end_reason_names = {"settled", "end-time",
+                                                                     "latest-time"};
+
 struct RunSummary {
   RunEnd end = RunEnd::finished;
-  Snapshot last;                     ///< state at the end, pressures included
-  Totals first_totals, last_totals;  ///< at time 0 and at the end
+  EndReason reason = EndReason::end_time;  ///< of a finished run
+  Snapshot last;                           ///< state at the end, pressures included
+  Totals first_totals, last_totals;        ///< at time 0 and at the end
   Progress progress;
   StageTimes stages;      ///< of this process
   double steps_here = 0;  ///< steps done by this process
@@ -41,7 +50,10 @@ struct RunOptions {
   std::function<void(const Progress&)> on_progress;  ///< after every cycle of steps; must be cheap
   /// Every output.history_interval_s, with the totals at time 0.
   std::function<void(const Snapshot&, const Totals& first)> on_history;
-  /// Whether nothing will meet any more; asked from end.time_s on where end.latest_s is later.
+  /// Whether remnants will meet; asked from end.time_s on where end.latest_s is later.
+  std::function<bool(const Snapshot&)> will_meet;
+  /// Whether nothing changes any more; asked `looks_per_window` times in end.settled.window_s,
+  /// from the start on.
   std::function<bool(const Snapshot&)> settled;
   std::function<bool()> stop;  ///< asked after every cycle; true: checkpoint and return
   std::function<void(const std::string&)> on_note;  ///< a sentence for the log

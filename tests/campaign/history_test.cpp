@@ -14,18 +14,18 @@ TEST(History, GoesOnWhereAnEarlierAttemptStopped) {
   const Analysis analysis = test::sample_analysis();
   {
     History first(folder / "history.csv");
-    for (const double time : {500.0, 1000.0, 1500.0}) first.add(history_row(time, analysis));
+    for (const double time : {500.0, 1000.0, 1500.0}) first.add({history_row(time, analysis)});
   }
   // The checkpoint was older than the last row: the run comes by 1500 s once more.
   History second(folder / "history.csv");
-  second.add(history_row(1500, analysis));
+  second.add({history_row(1500, analysis)});
   HistoryRow last = history_row(2000, analysis);
   double number = 0.1;  // every column of its own
   visit_columns(last, [&](const char*, auto& value) {
     if constexpr (std::is_same_v<decltype(value), double&>)
       if (&value != &last.time_s && &value != &last.b_over_a) value = (number += 1.0 / 7);
   });
-  second.add(last);
+  second.add({last});
   const History read_back(folder / "history.csv");
   ASSERT_EQ(read_back.rows().size(), 4u);
   for (std::size_t i = 0; i < 4; ++i)
@@ -42,11 +42,27 @@ TEST(History, GoesOnWhereAnEarlierAttemptStopped) {
 TEST(History, LeavesOutALineThatWasCutOff) {
   const test::TemporaryFolder folder;
   History history(folder / "history.csv");
-  for (const double time : {500.0, 1000.0}) history.add(history_row(time, test::sample_analysis()));
+  for (const double time : {500.0, 1000.0})
+    history.add({history_row(time, test::sample_analysis())});
   const std::string text = read_file(folder / "history.csv");
   install_text(folder / "torn.csv", text.substr(0, text.size() - 20));
   EXPECT_EQ(read_history(folder / "torn.csv").size(), 1u);
   EXPECT_TRUE(read_history(folder / "missing.csv").empty());
+}
+
+TEST(History, KeepsEachRemnantOfOneMomentWithTheSameBits) {
+  const test::TemporaryFolder folder;
+  Series<RemnantLook> first(folder / "remnants.csv");
+  const std::vector<RemnantLook> pair = {{500, 1, 0.5, 1.0 / 3, 120, 0.7, 0.6, 0.1},
+                                         {500, 2, 0.4, 0.9, 110, 0.8, 0.5, 0}};
+  first.add(pair);
+  first.add({{1000, 1, 0.9, 0.5, 200, 0.3, 0.2, 0.11}});
+  Series<RemnantLook> second(folder / "remnants.csv");
+  ASSERT_EQ(second.rows().size(), 3u);
+  EXPECT_EQ(second.rows()[0].target_fraction, 1.0 / 3);
+  EXPECT_EQ(second.rows()[1].rank, 2);
+  second.add(pair);  // gone on from before 500 s: what came later gives way
+  EXPECT_EQ(Series<RemnantLook>(folder / "remnants.csv").rows().size(), 2u);
 }
 
 std::vector<HistoryRow> rows_of(const std::vector<std::pair<double, double>>& masses) {

@@ -70,6 +70,21 @@ TEST(Scene, HasAnotherHashForEveryFieldThatDecidesTheResult) {
     EXPECT_NE(scene_hash(parse_scene(fields)), hash) << fields;
 }
 
+TEST(Scene, KeepsTheHashOfResultsFromBeforeItCouldSettle) {
+  const Scene first_light = parse_scene(json::parse(
+      R"({"numerics": {"particles_per_target": 1000}, "end": {"time_s": 30000},
+          "impact": {"q": 1, "v_imp_cm_per_s": 15, "theta_imp_deg": 10},
+          "material": {"drucker_prager": {"phi_d_deg": 40}}})"));
+  EXPECT_EQ(scene_hash(first_light),
+            "c98a38ca5f10ae0c01dc84cca44892994234cde0cdad6056f6c3ac3950cb0407");
+  // Tolerances of what is off are none.
+  json off = to_json(first_light);
+  off["end"]["settled"]["shape"] = 0.5;
+  EXPECT_EQ(scene_hash(parse_scene(off)), scene_hash(first_light));
+  off["end"]["settled"]["window_s"] = 4000;
+  EXPECT_NE(scene_hash(parse_scene(off)), scene_hash(first_light));
+}
+
 TEST(Scene, IsTheSameJobWhateverItWritesOut) {
   const std::string hash = scene_hash(parse_scene(json::object()));
   EXPECT_EQ(scene_hash(parse_scene({{"output", {{"history_interval_s", 7}}}})), hash);

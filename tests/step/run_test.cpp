@@ -246,9 +246,9 @@ TEST(Run, GoesOnUntilNothingWillMeetAndEndsAtTheSameMomentWhenInterrupted) {
   const Scene scene = short_impact({{"end", {{"time_s", 90}, {"latest_s", 120}}}});
   RunOptions options;
   std::vector<double> asked;
-  options.settled = [&](const Snapshot& s) {
+  options.will_meet = [&](const Snapshot& s) {
     asked.push_back(s.state.time);
-    return s.state.time > 95;
+    return s.state.time <= 95;
   };
   const TemporaryFolder whole, pieces;
   EXPECT_NEAR(run_in(whole, scene, options).summary.progress.time, 96, 1e-9);
@@ -266,7 +266,7 @@ TEST(Run, WritesItsSnapshotsWhileItWaits) {
   const Scene scene = short_impact(
       {{"end", {{"time_s", 60}, {"latest_s", 66}}}, {"output", {{"snapshot_interval_s", 2}}}});
   RunOptions options;
-  options.settled = [](const Snapshot&) { return false; };
+  options.will_meet = [](const Snapshot&) { return true; };
   const TemporaryFolder folder;
   run_in(folder, scene, options);
   // The questions at 60, 62 and 64 s fall on moments of a snapshot; the end at 66 s is final.hdf5.
@@ -279,9 +279,52 @@ TEST(Run, WritesItsSnapshotsWhileItWaits) {
 TEST(Run, EndsAtTheLatestTimeWhateverWillMeet) {
   const Scene scene = short_impact({{"end", {{"time_s", 60}, {"latest_s", 67}}}});
   RunOptions options;
-  options.settled = [](const Snapshot&) { return false; };
+  options.will_meet = [](const Snapshot&) { return true; };
   const TemporaryFolder folder;
-  EXPECT_NEAR(run_in(folder, scene, options).summary.progress.time, 67, 1e-9);
+  const RunSummary summary = run_in(folder, scene, options).summary;
+  EXPECT_NEAR(summary.progress.time, 67, 1e-9);
+  EXPECT_EQ(summary.reason, EndReason::latest_time);
+}
+
+TEST(Run, EndsOnceItHasSettledWithTheSameBitsAndTheSameStepsAsOneThatGoesOn) {
+  const Scene going_on = short_impact({{"end", {{"time_s", 60}}}});
+  const Scene settling = short_impact({{"end", {{"time_s", 60}, {"settled", {{"window_s", 40}}}}}});
+  RunOptions options;
+  std::vector<double> looks;
+  options.settled = [&](const Snapshot& s) {
+    looks.push_back(s.state.time);
+    return s.state.time > 32;
+  };
+  const TemporaryFolder whole, pieces;
+  const RunSummary ended = run_in(whole, settling, options).summary;
+  EXPECT_EQ(ended.reason, EndReason::settled);
+  EXPECT_EQ(looks.size(), 7u);  // eight in a window, the first after an eighth of it
+  EXPECT_NEAR(ended.progress.time, 35, 3);
+
+  // Looking changes no step: a run that goes on passes the same state.
+  RunOptions steps;
+  steps.max_steps = ended.progress.step;
+  const TemporaryFolder other;
+  const RunSummary same = run_in(other, going_on, steps).summary;
+  EXPECT_EQ(same.progress.step, ended.progress.step);
+  EXPECT_EQ(same.progress.time, ended.progress.time);
+
+  looks.clear();
+  options.max_steps = 11;
+  while (run_in(pieces, settling, options).summary.end == RunEnd::step_limit) continue;
+  EXPECT_EQ(looks.size(), 7u);
+  EXPECT_THAT(
+      differences(read_snapshot(pieces / "final.hdf5"), read_snapshot(whole / "final.hdf5")),
+      IsEmpty());
+}
+
+TEST(Run, DoesNotLookAtRemnantsWhereSettlingIsOff) {
+  const Scene scene = short_impact({{"end", {{"time_s", 30}}}});
+  RunOptions options;
+  options.settled = [](const Snapshot&) -> bool { throw std::logic_error("looked"); };
+  const TemporaryFolder folder;
+  const RunSummary summary = run_in(folder, scene, options).summary;
+  EXPECT_EQ(summary.reason, EndReason::end_time);
 }
 
 }  // namespace

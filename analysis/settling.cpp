@@ -1,0 +1,170 @@
+#include "analysis/settling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/orbit.hpp"
+
+namespace eerie {
+
+namespace {
+
+/// Spins slower than this, turns per hour, may change by as much as this one may.
+constexpr double slow_spin = 0.01;
+
+using Looks = std::span<const RemnantLook>;
+
+/// Looks of one moment each, from the last on, as far back as the window reaches; empty where a
+/// look is missing: so many are expected.
+std::vector<Looks> last_window(Looks looks, double window) {
+  const double interval = window / looks_per_window;
+  std::vector<Looks> moments;
+  while (!looks.empty() && moments.size() <= looks_per_window) {
+    const double time = looks.back().time_s;
+    if (!moments.empty() && moments.back().front().time_s - time > 1.5 * interval) return {};
+    const auto first = std::ranges::find(looks, time, &RemnantLook::time_s);
+    const auto others = static_cast<std::size_t>(first - looks.begin());
+    moments.push_back(looks.subspan(others));
+    looks = looks.first(others);
+  }
+  if (moments.size() <= looks_per_window) return {};
+  return moments;
+}
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void include(double value) { low = std::min(low, value), high = std::max(high, value); }
+  double width() const { return high - low; }
+};
+
+/// The numbers of one remnant over a window.
+struct Track {
+  RemnantLook at;  ///< the moment reached, going back
+  Range mass, b_over_a, c_over_a, spin;
+
+  void include(const RemnantLook& look) {
+    at = look;
+    mass.include(look.mass_over_total);
+    b_over_a.include(look.b_over_a);
+    c_over_a.include(look.c_over_a);
+    spin.include(look.turns_per_h);
+  }
+  double unlikeness(const RemnantLook& look) const {
+    return std::abs(look.mass_over_total - at.mass_over_total) +
+           std::abs(look.target_fraction - at.target_fraction);
+  }
+};
+
+/// Each track goes back to the remnant that is most like it, the likest first.
+void go_back(std::vector<Track>& tracks, Looks moment) {
+  std::vector<bool> taken(moment.size(), false), moved(tracks.size(), false);
+  for (std::size_t step = 0; step < tracks.size(); ++step) {
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t track = 0, remnant = 0;
+    for (std::size_t t = 0; t < tracks.size(); ++t)
+      for (std::size_t r = 0; r < moment.size(); ++r)
+        if (const double unlike = tracks[t].unlikeness(moment[r]);
+            !moved[t] && !taken[r] && unlike < least)
+          least = unlike, track = t, remnant = r;
+    moved[track] = taken[remnant] = true;
+    tracks[track].include(moment[remnant]);
+  }
+}
+
+std::string change(int rank, const char* what, const Range& range, double window) {
+  return fmt::format("{} of remnant {} went from {:.3f} to {:.3f} within {:.0f} s", what, rank,
+                     range.low, range.high, window);
+}
+
+PointMass point(const Remnant& r) { return {r.mass, r.x, r.v}; }
+
+/// Time until two touch, at `contact` between their centres; infinity when they will not.
+double time_to_contact(const PointMass& one, const PointMass& other, double contact) {
+  const Orbit orbit = relative_orbit(one, other);
+  const bool comes_back = orbit.bound() || orbit.approaching;
+  return comes_back && orbit.pericentre < contact ? time_to_reach(orbit, contact)
+                                                  : std::numeric_limits<double>::infinity();
+}
+
+bool is_watched(const Remnant& r, const Scene::Settled& settled) {
+  return r.mass_over_total >= settled.mass;
+}
+
+}  // namespace
+
+std::vector<RemnantLook> look(double time_s, const Remnants& found, const Scene::Settled& settled) {
+  std::vector<RemnantLook> rows;
+  for (const Remnant& r : found.remnants)
+    if (is_watched(r, settled))
+      rows.push_back({time_s, r.rank, r.mass_over_total, r.target_fraction, r.shape.a,
+                      r.shape.b_over_a(), r.shape.c_over_a(),
+                      r.spin_period ? 3600 / *r.spin_period : 0});
+  if (rows.empty()) rows.push_back({.time_s = time_s});
+  return rows;
+}
+
+std::string unsteadiness(Looks looks, const Scene::Settled& settled) {
+  const std::vector<Looks> moments = last_window(looks, settled.window_s);
+  if (moments.empty()) return "it was not watched for long enough";
+  std::vector<Track> tracks(moments.front().size());
+  for (std::size_t t = 0; t < tracks.size(); ++t) tracks[t].include(moments.front()[t]);
+  for (const Looks& moment : moments) {
+    if (moment.size() != tracks.size() || (moment.front().rank == 0) != (tracks[0].at.rank == 0))
+      return fmt::format("the number of remnants changed within {:.0f} s", settled.window_s);
+    go_back(tracks, moment);
+  }
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    const Track& track = tracks[t];
+    const int rank = moments.front()[t].rank;
+    if (track.b_over_a.width() > settled.shape)
+      return change(rank, "b/a", track.b_over_a, settled.window_s);
+    if (track.c_over_a.width() > settled.shape)
+      return change(rank, "c/a", track.c_over_a, settled.window_s);
+    if (track.mass.width() > settled.fall_back)
+      return change(rank, "the part of the mass", track.mass, settled.window_s);
+    if (track.spin.width() > settled.spin * std::max(track.spin.high, slow_spin))
+      return change(rank, "the turns per hour", track.spin, settled.window_s);
+  }
+  return "";
+}
+
+double horizon(const Scene::End& end, double time_s) {
+  return std::min(end.settled.horizon_s, std::max(end.time_s, end.latest_s) - time_s);
+}
+
+std::string encounters(const Remnants& found, double total, double horizon,
+                       const Scene::Settled& settled) {
+  const std::vector<Remnant>& all = found.remnants;
+  std::vector<PointMass> fragments = found.debris;
+  for (const Remnant& r : all)
+    if (!is_watched(r, settled)) fragments.push_back(point(r));
+  for (std::size_t group = 0; group < found.group_masses.size(); ++group) {
+    const double loose = found.group_masses[group] - found.group_cores[group];
+    if (found.group_cores[group] < settled.mass * total && loose > settled.fall_back * total)
+      return fmt::format("{:.3f} of the mass is bound and has not gathered yet", loose / total);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = i + 1; j < all.size(); ++j) {
+      if (!is_watched(all[i], settled) || !is_watched(all[j], settled)) continue;
+      const double time =
+          time_to_contact(point(all[i]), point(all[j]), (all[i].shape.a + all[j].shape.a) / 2);
+      if (time <= horizon)
+        return fmt::format("remnants {} and {} will meet in about {:.0f} s", all[i].rank,
+                           all[j].rank, time);
+    }
+  double falling = 0;
+  for (const PointMass& fragment : fragments)
+    if (std::ranges::any_of(all, [&](const Remnant& r) {
+          return is_watched(r, settled) &&
+                 time_to_contact(point(r), fragment, r.shape.a / 2) <= horizon;
+        }))
+      falling += fragment.mass;
+  if (falling > settled.fall_back * total)
+    return fmt::format("{:.3f} of the mass will fall back", falling / total);
+  return "";
+}
+
+}  // namespace eerie

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/remnants.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace eerie {
+
+/// A remnant at one moment, in what must stay as it is once an impact has settled.
+struct RemnantLook {
+  double time_s = 0;
+  int rank = 0;  ///< 1: the most massive; 0: there was no remnant at that moment
+  double mass_over_total = 0, target_fraction = 0;
+  double a_m = 0, b_over_a = 0, c_over_a = 0;
+  double turns_per_h = 0;  ///< 0: it does not spin
+};
+
+/// One look at an impact: a row for each remnant of at least settled.mass of all the mass.
+std::vector<RemnantLook> look(double time_s, const Remnants& found, const Scene::Settled& settled);
+
+/// What was not steady during the last window of `looks` (ascending in time); empty where shapes,
+/// spins and masses kept within the tolerances of `settled`. Remnants are followed from look to
+/// look by their mass and origin, not by their rank, which two alike may exchange.
+std::string unsteadiness(std::span<const RemnantLook> looks, const Scene::Settled& settled);
+
+/// What gravity will bring within `horizon` (s): the first contact of two remnants, more fragments
+/// falling back than settled.fall_back allows, or a remnant that gathers from fragments; empty
+/// where nothing. `total`: mass of both bodies, kg. Orbits are those of pairs; contact is at the
+/// sum of half the longest axes.
+std::string encounters(const Remnants& found, double total, double horizon,
+                       const Scene::Settled& settled);
+
+/// How far encounters of a run matter: to its end, and no further than settled.horizon_s.
+double horizon(const Scene::End& end, double time_s);
+
+}  // namespace eerie
