@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <unordered_set>
 
+#include "campaign/fidelity.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/scene/guards.hpp"
 
@@ -31,6 +32,7 @@ db::NewJob new_job(const Scene& scene) {
   db::NewJob job;
   nlohmann::json canonical = to_json(scene);
   job.scene = canonical.dump();
+  job.fidelity = fidelity_of(canonical);
   job.hash = canonical_hash(std::move(canonical));
   job.q = scene.impact.q;
   job.phi_d_deg = scene.material.drucker_prager.phi_d_deg;

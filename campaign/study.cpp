@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "campaign/job.hpp"
 #include "campaign/json_file.hpp"
 #include "campaign/plain_name.hpp"
 #include "campaign/scene_field.hpp"
@@ -126,16 +125,6 @@ std::vector<StudyRun> runs_of(const Study& study) {
     return std::pow(static_cast<double>(run.particles_per_target), 4.0 / 3) *
            static_cast<double>(run.seed);
   });
-  return runs;
-}
-
-std::vector<StudyRun> affordable(std::vector<StudyRun> runs, double core_hours,
-                                 const db::Speed& speed) {
-  double left = core_hours * 3600;
-  const auto end = std::ranges::find_if(runs, [&](const StudyRun& run) {
-    return (left -= speed.core_seconds_of(expected_particle_steps(run.scene))) < 0;
-  });
-  runs.erase(end, runs.end());
   return runs;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/job.hpp"
 #include "db/query.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -52,7 +54,14 @@ struct StudyRun {
 std::vector<StudyRun> runs_of(const Study& study);
 
 /// The first of `runs` that together cost no more than `core_hours`.
-std::vector<StudyRun> affordable(std::vector<StudyRun> runs, double core_hours,
-                                 const db::Speed& speed);
+template <class Run>
+std::vector<Run> affordable(std::vector<Run> runs, double core_hours, const db::Speed& speed) {
+  double left = core_hours * 3600;
+  const auto end = std::ranges::find_if(runs, [&](const Run& run) {
+    return (left -= speed.core_seconds_of(expected_particle_steps(run.scene))) < 0;
+  });
+  runs.erase(end, runs.end());
+  return runs;
+}
 
 }  // namespace eerie

@@ -71,18 +71,6 @@ ConvergencePoint point(const StudyCell& cell, const Ensemble& e) {
 
 }  // namespace
 
-std::vector<StudyResult> finished_runs(const db::Connection& connection,
-                                       const std::vector<StudyRun>& runs) {
-  std::map<std::string, db::ResultRow> rows;
-  for (db::ResultRow& row : db::results(connection, {})) rows.emplace(row.hash, std::move(row));
-  std::vector<StudyResult> results;
-  for (const StudyRun& run : runs)
-    if (const auto row = rows.find(scene_hash(run.scene)); row != rows.end())
-      results.push_back({run, row->second, db::remnants(connection, row->second.job),
-                         db::core_seconds(connection, row->second.job)});
-  return results;
-}
-
 std::string runs_csv(const std::vector<StudyResult>& results) {
   std::string csv =
       "scheme,case,particles_per_target,seed,class,settled,m_lr_over_m_total,m_slr_over_m_total";
@@ -106,18 +94,6 @@ std::string runs_csv(const std::vector<StudyResult>& results) {
                        r.core_seconds, x.solver_version, r.row.hash);
   }
   return csv;
-}
-
-Ensemble ensemble(const std::vector<double>& values) {
-  Ensemble e{values.size(), 0, 0, 0, 0};
-  if (values.empty()) return e;
-  const auto n = static_cast<double>(values.size());
-  for (const double value : values) e.mean += value / n;
-  for (const double value : values) e.deviation += (value - e.mean) * (value - e.mean);
-  e.deviation = values.size() > 1 ? std::sqrt(e.deviation / (n - 1)) : 0;
-  const auto [low, high] = std::ranges::minmax(values);
-  e.low = low, e.high = high;
-  return e;
 }
 
 std::vector<StudyCell> cells_of(const Study& study, const std::vector<StudyResult>& results) {

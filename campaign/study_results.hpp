@@ -5,35 +5,19 @@
 #include <vector>
 
 #include "analysis/convergence_figure.hpp"
+#include "campaign/ensemble.hpp"
+#include "campaign/finished_run.hpp"
 #include "campaign/job_directory.hpp"
 #include "campaign/study.hpp"
-#include "db/query.hpp"
 
 namespace eerie {
 
 /// A finished run of a study.
-struct StudyResult {
-  StudyRun run;
-  db::ResultRow row;
-  std::vector<db::Remnant> remnants;  ///< from the most massive on
-  double core_seconds = 0;            ///< processor time, s
-};
-
-/// Those of `runs` that the database has a result of.
-std::vector<StudyResult> finished_runs(const db::Connection& connection,
-                                       const std::vector<StudyRun>& runs);
+using StudyResult = Finished<StudyRun>;
 
 /// One line per finished run; units in the header. Empty fields: there is no such remnant, or it
 /// does not spin.
 std::string runs_csv(const std::vector<StudyResult>& results);
-
-/// What an ensemble says about one quantity.
-struct Ensemble {
-  std::size_t runs = 0;
-  double mean = 0, deviation = 0;  ///< standard deviation of single runs; 0 for one run
-  double low = 0, high = 0;
-};
-Ensemble ensemble(const std::vector<double>& values);
 
 /// The results of one scheme, case and particle number.
 struct StudyCell {

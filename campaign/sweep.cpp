@@ -31,7 +31,8 @@ json outline() {
 void require_not_both(const Sweep& sweep, const Axis& axis) {
   if (const json* value = find_field(sweep.scene, axis.path))
     throw InputError(
-        fmt::format("{}: {} = {} stands in the scene (or in --set) and is an axis of the grid too; "
+        fmt::format("{}: {} = {} stands in the scene (or in --set or --fidelity) and is an axis of "
+                    "the grid too; "
                     "remove one of them",
                     sweep.where, axis.path, value->dump()));
   for (const Axis& other : sweep.axes)

@@ -89,12 +89,12 @@ void insert_result(SQLite::Database& sql, std::int64_t job, const Result& r) {
   SQLite::Statement insert(sql, R"(INSERT OR REPLACE INTO job_results
       (job_id, class, m_lr_over_m_total, m_slr_over_m_total, b_over_a, c_over_a, period_h, eer,
        n_eer, n_remnants, settled, unsettled_reason, dL_over_L, steps, particle_steps, wall_s,
-       threads, solver_version, host)
-      VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?))");
+       threads, solver_version, host, ended_at_s, end_reason)
+      VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?))");
   bind_all(insert, job, r.outcome_class, r.m_lr_over_m_total, r.m_slr_over_m_total, r.b_over_a,
            r.c_over_a, r.period_h, int{r.eer}, r.n_eer, r.n_remnants, int{r.settled},
            null_if_empty(r.unsettled_reason), r.dL_over_L, r.steps, r.particle_steps, r.wall_s,
-           r.threads, r.solver_version, r.host);
+           r.threads, r.solver_version, r.host, r.ended_at_s, null_if_empty(r.end_reason));
   insert.exec();
 }
 
@@ -132,7 +132,8 @@ AddedSweep add_sweep(SQLite::Database& sql, const std::string& name, const std::
   added.sweep = sweep_id(sql, name, document);
   SQLite::Statement insert(sql, R"(INSERT OR IGNORE INTO jobs
         (hash, q, phi_d_deg, v_imp_cm_per_s, theta_imp_deg, v_over_v_esc, particles_per_target,
-         seed, end_time_s, expected_particle_steps) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?))");
+         seed, end_time_s, expected_particle_steps, fidelity)
+        VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?))");
   SQLite::Statement insert_scene(
       sql, "INSERT INTO job_scenes (job_id, scene) SELECT id, ? FROM jobs WHERE hash = ?");
   SQLite::Statement join(sql,
@@ -140,7 +141,8 @@ AddedSweep add_sweep(SQLite::Database& sql, const std::string& name, const std::
                          "jobs WHERE hash = ?");
   for (const NewJob& j : new_jobs) {
     bind_all(insert, j.hash, j.q, j.phi_d_deg, j.v_imp_cm_per_s, j.theta_imp_deg, j.v_over_v_esc,
-             j.particles_per_target, j.seed, j.end_time_s, j.expected_particle_steps);
+             j.particles_per_target, j.seed, j.end_time_s, j.expected_particle_steps,
+             null_if_empty(j.fidelity));
     if (insert.exec() == 1) {
       ++added.added;
       bind_all(insert_scene, j.scene, j.hash);

@@ -10,15 +10,17 @@
 #include "db/error.hpp"
 #include "db/schema.hpp"
 #include "db/schema_2.hpp"
+#include "db/schema_3.hpp"
 
 namespace eerie::db {
 namespace {
 
 constexpr int application_id = 0x65657269;  // "eeri"
 
-constexpr std::array<Migration, 2> steps = {{
+constexpr std::array<Migration, 3> steps = {{
     {1, schema_1},
     {2, schema_2},
+    {3, schema_3},
 }};
 
 int pragma(SQLite::Database& database, const char* name) {

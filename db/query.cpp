@@ -62,6 +62,9 @@ ResultRow result_row(const SQLite::Statement& row) {
   x.threads = column("threads").getInt();
   x.solver_version = column("solver_version").getString();
   x.host = column("host").getString();
+  x.ended_at_s = number(column("ended_at_s"));
+  x.end_reason = column("end_reason").getString();
+  r.fidelity = column("fidelity").getString();
   return r;
 }
 

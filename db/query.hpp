@@ -31,6 +31,7 @@ struct ResultRow {
   double q = 0, phi_d_deg = 0, v_imp_cm_per_s = 0, theta_imp_deg = 0, v_over_v_esc = 0;
   std::int64_t particles_per_target = 0, seed = 0;
   double end_time_s = 0;
+  std::string fidelity;  ///< empty: settings without a name
   Result result;
   std::string finished;
   bool stale = false;  ///< made by another solver version than the one that works on the database

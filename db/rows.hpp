@@ -22,6 +22,7 @@ struct NewJob {
   std::int64_t particles_per_target = 0, seed = 0;
   double end_time_s = 0;
   double expected_particle_steps = 0;
+  std::string fidelity = {};  ///< empty: its settings have no name
 };
 
 /// What the user wants of a job, beside what is seen of it.
@@ -71,6 +72,8 @@ struct Result {
   double particle_steps = 0, wall_s = 0;
   int threads = 1;
   std::string solver_version = {}, host = {};
+  std::optional<double> ended_at_s = {};  ///< simulated time
+  std::string end_reason = {};            ///< empty: not noted
 };
 
 /// A row of `job_remnants`.

@@ -26,7 +26,7 @@ Action add_run(CLI::App& app) {
   app.add_option("SWEEP", a->sweep, "sweep file")->required();
   add_database(app, a->database);
   add_share(app, a->workers, a->threads_per_job);
-  add_overrides(app, a->overrides);
+  add_changes(app, a->changes);
   app.add_option("--map", a->maps, "draw the b/a map into this file too (.png, .svg or .pdf)");
   app.add_flag("--retry-failed", a->retry_failed, "run the sweep's failed jobs again");
   add_engine(app, a->engine);
@@ -38,7 +38,7 @@ Action add_expand(CLI::App& app) {
   auto a = std::make_shared<ExpandArguments>();
   app.add_option("SWEEP", a->sweep, "sweep file")->required();
   add_database(app, a->database);
-  add_overrides(app, a->overrides);
+  add_changes(app, a->changes);
   app.add_flag("--list", a->list, "print every job");
   add_json(app, a->json);
   return [a] { return expand(*a); };
@@ -52,7 +52,7 @@ Action add_solve(CLI::App& app) {
       ->check(CLI::Range(1L, 1'000'000'000'000L));
   app.add_option("--threads", a->threads, "threads (default: all cores)")
       ->check(CLI::Range(1, most_threads));
-  add_overrides(app, a->overrides);
+  add_changes(app, a->changes);
   add_json(app, a->json);
   return [a] { return solve(*a); };
 }
@@ -87,20 +87,6 @@ Action add_map(CLI::App& app) {
       ->required();
   add_json(app, a->json);
   return [a] { return map(*a); };
-}
-
-Action add_converge(CLI::App& app) {
-  auto a = std::make_shared<ConvergeArguments>();
-  app.add_option("STUDY", a->study, "study file")->required();
-  add_database(app, a->database);
-  app.add_option("--budget", a->core_hours,
-                 "core-hours that the study may cost, finished runs included (default: no limit)")
-      ->check(CLI::Range(0.001, 1e7));
-  app.add_option("-o,--output", a->folder, "folder for figures and tables")->required();
-  add_share(app, a->workers, a->threads_per_job);
-  app.add_flag("--draw-only", a->draw_only, "run nothing: figures and tables of what is there");
-  add_json(app, a->json);
-  return [a] { return converge(*a); };
 }
 
 Action add_worker(CLI::App& app) {
@@ -194,6 +180,11 @@ constexpr Command commands[] = {
      "  eerie converge sweeps/studies/convergence.json --budget 2 -o convergence\n"
      "  eerie converge sweeps/studies/convergence.json --draw-only -o convergence",
      add_converge},
+    {"chart", "Run impacts with one setting at a time changed and chart error against cost",
+     "  eerie chart sweeps/studies/accuracy.json -o accuracy.svg\n"
+     "  eerie chart sweeps/studies/accuracy.json --budget 2 -o accuracy.png\n"
+     "  eerie chart sweeps/studies/accuracy.json --draw-only -o accuracy.pdf",
+     add_chart},
     {"worker", "Run the job of a directory", nullptr, add_worker},
     {"slurm-task", "Run the jobs of an array task of Slurm", nullptr, add_slurm_task},
 };

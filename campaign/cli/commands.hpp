@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "campaign/cli/engine.hpp"
+#include "campaign/cli/options.hpp"
 
 namespace eerie::cli {
 
@@ -15,7 +16,7 @@ struct RunArguments {
   std::filesystem::path sweep, database;
   int workers = 0;          ///< 0: chosen
   int threads_per_job = 0;  ///< 0: chosen
-  std::vector<std::string> overrides;
+  SceneChanges changes;
   std::vector<std::filesystem::path> maps;  ///< besides the two beside the database
   bool retry_failed = false;
   EngineArguments engine;
@@ -25,7 +26,7 @@ int run(const RunArguments& arguments);
 
 struct ExpandArguments {
   std::filesystem::path sweep, database;
-  std::vector<std::string> overrides;
+  SceneChanges changes;
   bool list = false, json = false;
 };
 int expand(const ExpandArguments& arguments);
@@ -34,7 +35,7 @@ struct SolveArguments {
   std::filesystem::path scene, directory;
   long max_steps = 0;  ///< 0: until the end time
   int threads = 0;     ///< 0: all cores
-  std::vector<std::string> overrides;
+  SceneChanges changes;
   bool json = false;
 };
 int solve(const SolveArguments& arguments);
@@ -64,14 +65,5 @@ struct MapArguments {
   bool json = false;
 };
 int map(const MapArguments& arguments);
-
-struct ConvergeArguments {
-  std::filesystem::path study, database, folder;
-  double core_hours = 0;  ///< 0: as much as the study takes
-  int workers = 0, threads_per_job = 0;
-  bool draw_only = false;
-  bool json = false;
-};
-int converge(const ConvergeArguments& arguments);
 
 }  // namespace eerie::cli

@@ -1,16 +1,11 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "campaign/cli/commands.hpp"
+#include "campaign/cli/command_list.hpp"
+#include "campaign/cli/study_work.hpp"
 #include "campaign/cli/text_table.hpp"
-#include "campaign/cli/work.hpp"
-#include "campaign/job.hpp"
-#include "campaign/signals.hpp"
 #include "campaign/study_results.hpp"
-#include "db/jobs.hpp"
-#include "db/lock.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
@@ -20,19 +15,10 @@ using nlohmann::json;
 
 namespace {
 
-std::vector<StudyRun> chosen_runs(const Study& study, const ConvergeArguments& a,
-                                  const db::Connection& connection) {
-  std::vector<StudyRun> runs = runs_of(study);
-  if (a.core_hours == 0) return runs;
-  const db::Speed speed = db::speed(connection);
-  return affordable(std::move(runs), a.core_hours, speed.is_measured() ? speed : assumed_speed);
-}
-
-std::vector<db::NewJob> jobs_of_runs(const std::vector<StudyRun>& runs) {
-  std::vector<Scene> scenes;
-  for (const StudyRun& run : runs) scenes.push_back(run.scene);
-  return jobs_of(scenes);
-}
+struct ConvergeArguments {
+  StudyArguments work;
+  fs::path folder;
+};
 
 std::string range(const Ensemble& e, int digits) {
   if (e.runs == 0) return "-";
@@ -71,43 +57,21 @@ std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResul
   return files;
 }
 
-/// Runs what the budget pays and is not done yet.
-Tally run_study(const Study& study, const ConvergeArguments& a) {
-  catch_stop_signals();
-  hold_signals();
-  make_folder_of(a.database);
-  const db::Lock lock(a.database);
-  db::Connection connection(a.database, db::Access::write);
-  const std::vector<StudyRun> runs = chosen_runs(study, a, connection);
-  if (runs.empty())
-    throw InputError(
-        fmt::format("--budget = {:g}: does not pay for the first run; raise it", a.core_hours));
-  const db::AddedSweep added =
-      db::add_sweep(connection, study.name, study.document.dump(), jobs_of_runs(runs));
-  const std::size_t left = tally(connection, added.sweep).left;
-  if (!a.json) {
-    fmt::print("{}: {} runs within the budget, {} to run\n", study.name, runs.size(), left);
-    std::fflush(stdout);
-  }
-  if (left > 0) work(connection, {a.workers, a.threads_per_job, a.json}, added.sweep);
-  return tally(connection, added.sweep);
-}
-
-}  // namespace
-
 int converge(const ConvergeArguments& a) {
-  const Study study = load_study(a.study);
-  const Tally left = a.draw_only ? Tally{} : run_study(study, a);
-  const db::Connection connection(a.database, db::Access::read);
-  const std::vector<StudyResult> results = finished_runs(connection, runs_of(study));
+  const Study study = load_study(a.work.study);
+  const std::vector<StudyRun> runs = runs_of(study);
+  const Tally left =
+      a.work.draw_only ? Tally{} : run_study(a.work, study.name, study.document.dump(), runs);
+  const db::Connection connection(a.work.database, db::Access::read);
+  const std::vector<StudyResult> results = finished_runs(connection, runs);
   if (results.empty())
     throw InputError(fmt::format("{}: the database {} has no result of this study",
-                                 a.study.string(), a.database.string()));
+                                 a.work.study.string(), a.work.database.string()));
   make_folder_of(a.folder / "runs.csv");
   const std::vector<StudyCell> cells = cells_of(study, results);
   const std::vector<fs::path> files =
       write_all(study, results, cells, a.folder, job_folder(connection));
-  if (a.json) {
+  if (a.work.json) {
     json names = json::array();
     for (const fs::path& file : files) names.push_back(file.string());
     fmt::print("{}\n", json{{"study", study.name},
@@ -123,11 +87,16 @@ int converge(const ConvergeArguments& a) {
     fmt::print("\n");
     for (const fs::path& file : files) fmt::print("{}\n", file.string());
   }
-  if (left.left > 0) {
-    fmt::print(stderr, "stopped; the same command goes on from the checkpoints\n");
-    return stopped_by_signal;
-  }
-  return static_cast<int>(left.failed > 0 ? ExitCode::job_failed : ExitCode::done);
+  return study_exit(left);
+}
+
+}  // namespace
+
+Action add_converge(CLI::App& app) {
+  auto a = std::make_shared<ConvergeArguments>();
+  add_study(app, a->work);
+  app.add_option("-o,--output", a->folder, "folder for figures and tables")->required();
+  return [a] { return converge(*a); };
 }
 
 }  // namespace eerie::cli

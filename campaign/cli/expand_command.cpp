@@ -66,7 +66,7 @@ std::string job_table(const std::vector<db::NewJob>& jobs) {
 }  // namespace
 
 int expand(const ExpandArguments& a) {
-  const Sweep sweep = load_sweep(a.sweep, a.overrides);
+  const Sweep sweep = load_sweep(a.sweep, a.changes.all());
   const std::vector<Scene> scenes = eerie::expand(sweep);
   const std::vector<db::NewJob> jobs = jobs_of(scenes);
   const std::vector<std::string> warned = cautions(scenes);

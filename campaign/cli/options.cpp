@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "campaign/fidelity.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::cli {
@@ -48,9 +49,19 @@ void add_database(CLI::App& app, std::filesystem::path& database) {
   app.add_option("--db", database, "database file")->capture_default_str();
 }
 
-void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
-  app.add_option("--set", overrides, "override a field of the scene, PATH=VALUE; may be repeated")
+void add_changes(CLI::App& app, SceneChanges& changes) {
+  app.add_option("--set", changes.overrides,
+                 "override a field of the scene, PATH=VALUE; may be repeated")
       ->allow_extra_args(false);
+  app.add_option("--fidelity", changes.fidelity,
+                 "settings by name: sketch, survey or paper; --set goes before them");
+}
+
+std::vector<std::string> SceneChanges::all() const {
+  std::vector<std::string> list;
+  if (!fidelity.empty()) list = overrides_of_fidelity(fidelity);
+  list.insert(list.end(), overrides.begin(), overrides.end());
+  return list;
 }
 
 void add_share(CLI::App& app, int& workers, int& threads_per_job) {

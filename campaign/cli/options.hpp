@@ -19,7 +19,14 @@ inline constexpr int most_threads = 4096;
 // Options that several commands share.
 
 void add_database(CLI::App& app, std::filesystem::path& database);
-void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
+/// --set and --fidelity.
+struct SceneChanges {
+  std::vector<std::string> overrides;
+  std::string fidelity;  ///< empty: what the file says
+  /// The overrides, after those of the fidelity. Throws InputError for a fidelity that is none.
+  std::vector<std::string> all() const;
+};
+void add_changes(CLI::App& app, SceneChanges& changes);
 void add_share(CLI::App& app, int& workers, int& threads_per_job);
 void add_json(CLI::App& app, bool& json);
 

@@ -69,7 +69,7 @@ std::shared_ptr<ChangeArguments> add_change(CLI::App& app) {
 
 struct SubmitArguments {
   fs::path sweep, database;
-  std::vector<std::string> overrides;
+  SceneChanges changes;
   std::optional<int> priority;
   std::string wall_limit;
   bool json = false;
@@ -78,7 +78,7 @@ struct SubmitArguments {
 int submit(const SubmitArguments& a) {
   Request request;
   request.kind = "submit";
-  const Sweep sweep = load_sweep(a.sweep, a.overrides);
+  const Sweep sweep = load_sweep(a.sweep, a.changes.all());
   const std::vector<Scene> scenes = eerie::expand(sweep);  // mistakes are told here and now
   request.sweep = document(sweep);
   request.priority = a.priority;
@@ -104,7 +104,7 @@ Action add_submit(CLI::App& app) {
   auto a = std::make_shared<SubmitArguments>();
   app.add_option("SWEEP", a->sweep, "sweep file")->required();
   add_database(app, a->database);
-  add_overrides(app, a->overrides);
+  add_changes(app, a->changes);
   app.add_option("--priority", a->priority, "of its new jobs; higher ones come first (default: 0)");
   app.add_option("--wall-limit", a->wall_limit, "wall time of each new job at most, such as 2h");
   add_json(app, a->json);

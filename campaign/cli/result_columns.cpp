@@ -20,6 +20,7 @@ struct Column {
 };
 
 json or_null(const std::optional<double>& value) { return value ? json(*value) : json(); }
+json text_or_null(const std::string& text) { return text.empty() ? json() : json(text); }
 
 /// The one table of result columns, named as in the view `results`.
 constexpr Column columns[] = {
@@ -53,8 +54,10 @@ constexpr Column columns[] = {
     {"host", [](const ResultRow& r) { return json(r.result.host); }},
     {"finished", [](const ResultRow& r) { return json(r.finished); }},
     {"stale", [](const ResultRow& r) { return json(r.stale); }},
-    {"stale_reason",
-     [](const ResultRow& r) { return r.stale_reason.empty() ? json() : json(r.stale_reason); }},
+    {"stale_reason", [](const ResultRow& r) { return text_or_null(r.stale_reason); }},
+    {"fidelity", [](const ResultRow& r) { return text_or_null(r.fidelity); }},
+    {"ended_at_s", [](const ResultRow& r) { return or_null(r.result.ended_at_s); }},
+    {"end_reason", [](const ResultRow& r) { return text_or_null(r.result.end_reason); }},
 };
 
 std::string csv_field(const json& value) {

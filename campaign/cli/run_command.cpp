@@ -97,7 +97,7 @@ void print_report(const db::Connection& connection, const RunArguments& a, std::
 }  // namespace
 
 int run(const RunArguments& a) {
-  const Sweep sweep = load_sweep(a.sweep, a.overrides);
+  const Sweep sweep = load_sweep(a.sweep, a.changes.all());
   const std::vector<Scene> scenes = eerie::expand(sweep);
   const std::vector<db::NewJob> jobs = jobs_of(scenes);
   require_drawable(a.maps, jobs);

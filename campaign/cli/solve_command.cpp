@@ -33,7 +33,7 @@ Scene load_scene(const SolveArguments& a) {
   const std::string where = a.scene.string();
   json document = with_integers(load_json(a.scene));
   require_valid(scene_schema(), document, where);
-  apply_overrides(document, a.overrides);
+  apply_overrides(document, a.changes.all());
   return parse_scene(document, where);
 }
 

@@ -1,0 +1,149 @@
+#include "analysis/accuracy_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/gnuplot.hpp"
+#include "solver/base/error.hpp"
+
+namespace eerie {
+
+namespace {
+
+constexpr double width_pt = 510, panel_width_pt = 185, panel_height_pt = 130, left_pt = 38,
+                 top_pt = 16, between_pt = 34, between_columns_pt = 12;
+/// Okabe & Ito's colours, told apart in every common form of colour blindness; once they are used
+/// up the marks change.
+constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73",
+                                   "#cc79a7", "#56b4e9", "#e69f00"};
+constexpr int marks[] = {7, 4, 9, 10, 5, 6};
+constexpr int default_mark = 3;
+constexpr const char* black = "#000000";
+
+/// Where the point stands: a difference far below its noise says nothing.
+double height(const AccuracyPoint::Error& e) { return std::max({e.error, e.noise / 10, 1e-5}); }
+
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  void include(double value) { low = std::min(low, value), high = std::max(high, value); }
+};
+
+template <class Visit>
+void each_point(const AccuracyFigure& figure, Visit&& visit) {
+  for (const AccuracySeries& series : figure.series)
+    for (const AccuracyPoint& point : series.points) visit(point);
+}
+
+const AccuracyPoint& default_point(const AccuracyFigure& figure) {
+  const auto found = std::ranges::find(figure.series, true, &AccuracySeries::is_default);
+  if (found == figure.series.end() || found->points.empty())
+    throw InputError(fmt::format("{}: the default has no result to draw", figure.title));
+  return found->points.front();
+}
+
+/// "cost height low high" of one point in one panel.
+std::string row(const AccuracyPoint& point, std::size_t panel) {
+  const AccuracyPoint::Error& e = point.errors[panel];
+  return fmt::format("{} {} {} {}\n", point.core_seconds, height(e),
+                     std::max(height(e) - e.noise, height(e) / 3), height(e) + e.noise);
+}
+
+std::string block(std::size_t panel, std::size_t series) {
+  return fmt::format("$p{}s{}", panel, series);
+}
+
+std::string data_blocks(const AccuracyFigure& figure) {
+  const AccuracyPoint& standard = default_point(figure);
+  std::string text;
+  for (std::size_t p = 0; p < figure.panels.size(); ++p) {
+    for (std::size_t s = 0; s < figure.series.size(); ++s) {
+      text += block(p, s) + " << EOD\n";
+      for (const AccuracyPoint& x : figure.series[s].points) text += row(x, p);
+      text += "EOD\n";
+      // The line of a knob passes through the default.
+      std::vector<const AccuracyPoint*> line = {&standard};
+      for (const AccuracyPoint& x : figure.series[s].points) line.push_back(&x);
+      std::ranges::sort(line, {}, &AccuracyPoint::core_seconds);
+      text += block(p, s) + "line << EOD\n";
+      for (const AccuracyPoint* x : line) text += row(*x, p);
+      text += "EOD\n";
+    }
+    std::vector<std::pair<double, double>> all;
+    each_point(figure, [&](const AccuracyPoint& x) {
+      all.emplace_back(x.core_seconds, height(x.errors[p]));
+    });
+    std::ranges::sort(all);
+    text += fmt::format("$p{}frontier << EOD\n", p);
+    double best = std::numeric_limits<double>::infinity();
+    for (const auto& [cost, error] : all)
+      if (error < best) {
+        text += fmt::format("{} {}\n", cost, error);
+        best = error;
+      }
+    text += fmt::format("{} {}\nEOD\n", all.back().first * 1.3, best);
+  }
+  return text;
+}
+
+std::string panel_commands(const AccuracyFigure& figure, std::size_t p, double height_pt) {
+  const auto column = static_cast<double>(p % 2), line = static_cast<double>(p / 2);
+  const double left = left_pt + column * (panel_width_pt / 1.3 + between_columns_pt + left_pt);
+  const double right = left + panel_width_pt / 1.3;
+  const double top = height_pt - top_pt - line * (panel_height_pt + between_pt);
+  std::string text = fmt::format(
+      "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\n"
+      "set bmargin at screen {}\n",
+      left / width_pt, right / width_pt, top / height_pt, (top - panel_height_pt) / height_pt);
+  Extent errors;
+  each_point(figure, [&](const AccuracyPoint& x) { errors.include(height(x.errors[p])); });
+  text += fmt::format("set yrange [{}:{}]\nset ylabel 'error of {}' offset 1.8,0\n", errors.low / 2,
+                      errors.high * 2, figure.panels[p]);
+  std::string curves = fmt::format("$p{}frontier using 1:2 with steps lw 3 lc rgb '#dddddd' {}", p,
+                                   p == 0 ? "title 'frontier'" : "notitle");
+  for (std::size_t s = 0; s < figure.series.size(); ++s) {
+    const AccuracySeries& series = figure.series[s];
+    const std::string colour = series.is_default ? black : colours[s % std::size(colours)];
+    const int mark =
+        series.is_default ? default_mark : marks[(s / std::size(colours) + s) % std::size(marks)];
+    curves += fmt::format(
+        ", {0}line using 1:2 with lines lw 0.4 lc rgb '{1}' notitle"
+        ", {0} using 1:2:3:4 with yerrorbars pt {2} ps 0.01 lw 0.3 lc rgb '{1}' notitle"
+        ", {0} using 1:2 with points pt {2} ps {3} lw 1.2 lc rgb '{1}' {4}",
+        block(p, s), colour, mark, series.is_default ? 1.1 : 0.55,
+        p == 0 ? fmt::format("title '{}'", series.name) : "notitle");
+  }
+  return text + "plot " + curves + "\nunset key\n";
+}
+
+double height_of(const AccuracyFigure& figure) {
+  const auto lines = static_cast<double>((figure.panels.size() + 1) / 2);
+  return top_pt + lines * (panel_height_pt + between_pt);
+}
+
+}  // namespace
+
+std::string accuracy_script(const AccuracyFigure& figure) {
+  Extent cost;
+  each_point(figure, [&](const AccuracyPoint& x) { cost.include(x.core_seconds); });
+  const double height = height_of(figure);
+  std::string text = data_blocks(figure);
+  text += fmt::format(
+      "set encoding utf8\nset border lw 0.5\nset bars 0\nset tics scale 0.5 font ',7'\n"
+      "set logscale xy\nset xrange [{}:{}]\nset format y '10^{{%T}}'\n"
+      "set xlabel 'cost of an impact (core-seconds)' offset 0,0.7 font ',7'\n"
+      "set ylabel font ',7'\n"
+      "set key at screen 0.995,{} top right Left reverse samplen 1 spacing 1.1 font ',7'\n"
+      "set multiplot\n",
+      cost.low / 1.2, cost.high * 1.2, 1 - top_pt / height);
+  for (std::size_t p = 0; p < figure.panels.size(); ++p) text += panel_commands(figure, p, height);
+  return text + "unset multiplot\n";
+}
+
+void draw_accuracy(const std::filesystem::path& path, const AccuracyFigure& figure) {
+  run_gnuplot(gnuplot_terminal(path, width_pt, height_of(figure)) + accuracy_script(figure), path);
+}
+
+}  // namespace eerie

@@ -1,0 +1,241 @@
+#include "campaign/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "campaign/ensemble.hpp"
+
+namespace eerie {
+
+namespace {
+
+using Runs = std::vector<const ChartResult*>;
+using Quantity = std::function<std::optional<double>(const ChartResult&)>;
+
+Runs select(const std::vector<ChartResult>& results, std::size_t setting, std::size_t one) {
+  Runs runs;
+  for (const ChartResult& r : results)
+    if (r.run.setting == setting && r.run.case_index == one) runs.push_back(&r);
+  return runs;
+}
+
+Ensemble over(const Runs& runs, const Quantity& quantity) {
+  std::vector<double> values;
+  for (const ChartResult* run : runs)
+    if (const auto value = quantity(*run)) values.push_back(*value);
+  return ensemble(values);
+}
+
+Quantity of_largest(std::optional<double> db::Remnant::*member) {
+  return [member](const ChartResult& r) -> std::optional<double> {
+    return r.remnants.empty() ? std::nullopt : r.remnants.front().*member;
+  };
+}
+
+std::optional<double> largest_mass(const ChartResult& r) {
+  return r.remnants.empty() ? 0 : r.remnants.front().mass_over_total;
+}
+
+/// Everything that deviations are made of: results by setting and case.
+class Comparison {
+ public:
+  Comparison(const ChartStudy& study, const std::vector<ChartResult>& results)
+      : cases_(study.cases.size()), reference_(study.settings.size() - 1) {
+    for (std::size_t s = 0; s <= reference_; ++s)
+      for (std::size_t c = 0; c < cases_; ++c) runs_.push_back(select(results, s, c));
+  }
+
+  const Runs& runs(std::size_t setting, std::size_t one) const {
+    return runs_[setting * cases_ + one];
+  }
+  bool is_whole(std::size_t setting) const {
+    for (std::size_t c = 0; c < cases_; ++c)
+      if (runs(setting, c).empty()) return false;
+    return true;
+  }
+
+  /// `relative`: differences in parts of the reference's mean.
+  Deviation deviation(std::size_t setting, const Quantity& quantity, bool relative = false) const {
+    double squares = 0, noise = 0;
+    int cases = 0;
+    for (std::size_t c = 0; c < cases_; ++c) {
+      const Ensemble here = over(runs(setting, c), quantity);
+      const Ensemble there = over(runs(reference_, c), quantity);
+      if (here.runs == 0 || there.runs == 0) continue;
+      const double unit = relative ? there.mean : 1;
+      const double spread = pooled_deviation(c, quantity) / unit;
+      const double difference = (here.mean - there.mean) / unit;
+      squares += difference * difference;
+      if (setting != reference_)
+        noise += spread * spread *
+                 (1 / static_cast<double>(here.runs) + 1 / static_cast<double>(there.runs));
+      ++cases;
+    }
+    if (cases == 0) return {};
+    return {std::sqrt(squares / cases), std::sqrt(noise / cases)};
+  }
+
+  double mean_over_cases(std::size_t setting, const std::function<double(const Runs&)>& f) const {
+    double sum = 0;
+    for (std::size_t c = 0; c < cases_; ++c) sum += f(runs(setting, c));
+    return sum / static_cast<double>(cases_);
+  }
+
+  double class_agreement(std::size_t setting) const {
+    double sum = 0;
+    for (std::size_t c = 0; c < cases_; ++c) {
+      const std::string expected = most_frequent_class(runs(reference_, c));
+      const auto alike = std::ranges::count_if(runs(setting, c), [&](const ChartResult* r) {
+        return r->row.result.outcome_class == expected;
+      });
+      sum += static_cast<double>(alike) / static_cast<double>(runs(setting, c).size());
+    }
+    return sum / static_cast<double>(cases_);
+  }
+
+  double p_eer_error(std::size_t setting) const {
+    double sum = 0;
+    for (std::size_t c = 0; c < cases_; ++c)
+      sum += std::abs(p_eer(runs(setting, c)) - p_eer(runs(reference_, c)));
+    return sum / static_cast<double>(cases_);
+  }
+
+ private:
+  static double p_eer(const Runs& runs) {
+    const auto n =
+        std::ranges::count_if(runs, [](const ChartResult* r) { return r->row.result.n_eer > 0; });
+    return static_cast<double>(n) / static_cast<double>(runs.size());
+  }
+
+  static std::string most_frequent_class(const Runs& runs) {
+    std::map<std::string, int> counts;
+    for (const ChartResult* r : runs) ++counts[r->row.result.outcome_class];
+    return std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; })
+        ->first;
+  }
+
+  /// Of single runs about the mean of their setting.
+  double pooled_deviation(std::size_t one, const Quantity& quantity) const {
+    double squares = 0, freedom = 0;
+    for (std::size_t s = 0; s <= reference_; ++s) {
+      const Ensemble e = over(runs(s, one), quantity);
+      if (e.runs < 2) continue;
+      squares += e.deviation * e.deviation * static_cast<double>(e.runs - 1);
+      freedom += static_cast<double>(e.runs - 1);
+    }
+    return freedom > 0 ? std::sqrt(squares / freedom) : 0;
+  }
+
+  std::size_t cases_, reference_;
+  std::vector<Runs> runs_;
+};
+
+double truth(const ChartPoint& point) {
+  return std::max(point.b_over_a.error, point.b_over_a.noise);
+}
+
+void mark_frontier(std::vector<ChartPoint>& points) {
+  for (ChartPoint& point : points) {
+    double cheapest = point.core_seconds;
+    for (const ChartPoint& other : points)
+      if (truth(other) <= truth(point)) cheapest = std::min(cheapest, other.core_seconds);
+    point.cost_over_frontier = point.core_seconds / cheapest;
+    point.frontier = point.cost_over_frontier <= 1;
+  }
+}
+
+std::string quoted(std::string text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+}  // namespace
+
+std::vector<ChartPoint> chart_points(const ChartStudy& study,
+                                     const std::vector<ChartResult>& results) {
+  const Comparison all(study, results);
+  const std::size_t reference = study.settings.size() - 1;
+  std::vector<ChartPoint> points;
+  if (!all.is_whole(reference)) return points;
+  for (std::size_t s = 0; s < study.settings.size(); ++s) {
+    if (!all.is_whole(s)) continue;
+    ChartPoint p;
+    p.setting = s;
+    for (std::size_t c = 0; c < study.cases.size(); ++c) p.runs += all.runs(s, c).size();
+    p.core_seconds = all.mean_over_cases(s, [](const Runs& runs) {
+      return over(runs, [](const ChartResult& r) { return std::optional(r.core_seconds); }).mean;
+    });
+    p.particle_steps = all.mean_over_cases(s, [](const Runs& runs) {
+      return over(runs,
+                  [](const ChartResult& r) { return std::optional(r.row.result.particle_steps); })
+          .mean;
+    });
+    p.b_over_a = all.deviation(s, of_largest(&db::Remnant::b_over_a));
+    p.c_over_a = all.deviation(s, of_largest(&db::Remnant::c_over_a));
+    p.m_1 = all.deviation(s, largest_mass);
+    p.period = all.deviation(s, of_largest(&db::Remnant::spin_period_h), true);
+    p.class_agreement = all.class_agreement(s);
+    p.p_eer_error = all.p_eer_error(s);
+    points.push_back(p);
+  }
+  mark_frontier(points);
+  return points;
+}
+
+std::string chart_csv(const ChartStudy& study, const std::vector<ChartPoint>& points) {
+  std::string csv =
+      "knob,setting,runs,core_s,particle_steps,b_over_a_error,b_over_a_noise,c_over_a_error,"
+      "c_over_a_noise,m_1_over_m_total_error,m_1_over_m_total_noise,period_relative_error,"
+      "period_relative_noise,class_agreement,p_eer_error,frontier,cost_over_frontier,set\n";
+  for (const ChartPoint& p : points) {
+    const ChartStudy::Setting& s = study.settings[p.setting];
+    csv += fmt::format("{},{},{},{:.4g},{:.4g}", quoted(s.knob), quoted(s.label), p.runs,
+                       p.core_seconds, p.particle_steps);
+    for (const Deviation& d : {p.b_over_a, p.c_over_a, p.m_1, p.period})
+      csv += fmt::format(",{:.3g},{:.3g}", d.error, d.noise);
+    csv += fmt::format(",{:.3g},{:.3g},{},{:.3g},{}\n", p.class_agreement, p.p_eer_error,
+                       p.frontier ? 1 : 0, p.cost_over_frontier, quoted(s.set.dump()));
+  }
+  return csv;
+}
+
+std::string chart_runs_csv(const ChartStudy& study, const std::vector<ChartResult>& results) {
+  std::string csv =
+      "knob,setting,case,seed,class,settled,ended_at_s,end_reason,m_1_over_m_total,b_over_a,"
+      "c_over_a,period_h,n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
+  const auto text = [](std::optional<double> x) { return x ? fmt::format("{:.6g}", *x) : ""; };
+  for (const ChartResult& r : results) {
+    const ChartStudy::Setting& s = study.settings[r.run.setting];
+    const db::Result& x = r.row.result;
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6g},{:.4g},{},{}\n",
+                       quoted(s.knob), quoted(s.label), study.cases[r.run.case_index].name,
+                       r.run.seed, x.outcome_class, x.settled ? 1 : 0, text(x.ended_at_s),
+                       x.end_reason, text(largest_mass(r)), text(x.b_over_a), text(x.c_over_a),
+                       text(x.period_h), x.n_eer, text(x.dL_over_L), x.particle_steps,
+                       r.core_seconds, x.solver_version, r.row.hash);
+  }
+  return csv;
+}
+
+AccuracyFigure chart_figure(const ChartStudy& study, const std::vector<ChartPoint>& points) {
+  AccuracyFigure figure{{"b/a", "c/a", "mass of the largest / all", "period, relative"}, {}, {}};
+  for (const ChartPoint& p : points) {
+    const ChartStudy::Setting& s = study.settings[p.setting];
+    if (s.knob == reference_knob) continue;
+    if (figure.series.empty() || figure.series.back().name != s.knob)
+      figure.series.push_back({s.knob, s.knob == default_knob, {}});
+    AccuracyPoint point{s.label, p.core_seconds, {}};
+    for (const Deviation& d : {p.b_over_a, p.c_over_a, p.m_1, p.period})
+      point.errors.push_back({d.error, d.noise});
+    figure.series.back().points.push_back(std::move(point));
+  }
+  return figure;
+}
+
+}  // namespace eerie

@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "campaign/chart.hpp"
+#include "campaign/cli/command_list.hpp"
+#include "campaign/cli/study_work.hpp"
+#include "campaign/cli/text_table.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
+
+namespace eerie::cli {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+struct ChartArguments {
+  StudyArguments work;
+  fs::path picture;
+};
+
+/// "0.021 (0.013)": the error, and what the seeds' spread alone would give.
+std::string text(const Deviation& d) { return fmt::format("{:.3f} ({:.3f})", d.error, d.noise); }
+
+std::string table_of(const ChartStudy& study, const std::vector<ChartPoint>& points) {
+  std::vector<std::vector<std::string>> rows = {{"knob", "setting", "runs", "core-s", "b/a", "c/a",
+                                                 "M_1/M", "period", "class", "cost/frontier"}};
+  for (const ChartPoint& p : points) {
+    const ChartStudy::Setting& s = study.settings[p.setting];
+    rows.push_back({s.knob, s.label, fmt::format("{}", p.runs),
+                    fmt::format("{:.1f}", p.core_seconds), text(p.b_over_a), text(p.c_over_a),
+                    text(p.m_1), text(p.period), fmt::format("{:.2f}", p.class_agreement),
+                    fmt::format("{:.2f}{}", p.cost_over_frontier, p.frontier ? " *" : "")});
+  }
+  return text_table(rows);
+}
+
+/// FILE with another end.
+fs::path beside(const fs::path& picture, const std::string& end) {
+  return picture.parent_path() / (picture.stem().string() + end);
+}
+
+int chart(const ChartArguments& a) {
+  const ChartStudy study = load_chart_study(a.work.study);
+  const std::vector<ChartRun> runs = runs_of(study);
+  const Tally left =
+      a.work.draw_only ? Tally{} : run_study(a.work, study.name, study.document.dump(), runs);
+  const db::Connection connection(a.work.database, db::Access::read);
+  const std::vector<ChartResult> results = finished_runs(connection, runs);
+  const std::vector<ChartPoint> points = chart_points(study, results);
+  if (points.empty())
+    throw InputError(fmt::format(
+        "{}: the database {} lacks the reference's result of some case: nothing to measure against",
+        a.work.study.string(), a.work.database.string()));
+  make_folder_of(a.picture);
+  const fs::path table = beside(a.picture, ".csv"), every_run = beside(a.picture, "-runs.csv");
+  install_text(table, chart_csv(study, points));
+  install_text(every_run, chart_runs_csv(study, results));
+  draw_accuracy(a.picture, chart_figure(study, points));
+  if (a.work.json) {
+    fmt::print("{}\n", json{{"study", study.name},
+                            {"results", results.size()},
+                            {"points", points.size()},
+                            {"failed", left.failed},
+                            {"left", left.left},
+                            {"files", {a.picture.string(), table.string(), every_run.string()}}}
+                           .dump(1));
+  } else {
+    fmt::print(
+        "\n{}\nerrors against the reference, in brackets what the spread of the seeds alone gives; "
+        "*: on the frontier of b/a\n{} results\n{}\n{}\n{}\n",
+        table_of(study, points), results.size(), a.picture.string(), table.string(),
+        every_run.string());
+  }
+  return study_exit(left);
+}
+
+}  // namespace
+
+Action add_chart(CLI::App& app) {
+  auto a = std::make_shared<ChartArguments>();
+  add_study(app, a->work);
+  app.add_option("-o,--output", a->picture,
+                 "picture: .svg, .png or .pdf; its numbers come beside it as CSV")
+      ->required();
+  return [a] { return chart(*a); };
+}
+
+}  // namespace eerie::cli

@@ -1,0 +1,49 @@
+#include "campaign/cli/study_work.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "campaign/signals.hpp"
+#include "db/jobs.hpp"
+#include "solver/base/error.hpp"
+
+namespace eerie::cli {
+
+void add_study(CLI::App& app, StudyArguments& a) {
+  app.add_option("STUDY", a.study, "study file")->required();
+  add_database(app, a.database);
+  app.add_option("--budget", a.core_hours,
+                 "core-hours that the study may cost, finished runs included (default: no limit)")
+      ->check(CLI::Range(0.001, 1e7));
+  add_share(app, a.workers, a.threads_per_job);
+  app.add_flag("--draw-only", a.draw_only, "run nothing: figures and tables of what is there");
+  add_json(app, a.json);
+}
+
+Tally run_scenes(const StudyArguments& a, const std::string& name, const std::string& document,
+                 const std::vector<Scene>& scenes, db::Connection& connection) {
+  if (scenes.empty())
+    throw InputError(
+        fmt::format("--budget = {:g}: does not pay for the first run; raise it", a.core_hours));
+  catch_stop_signals();
+  hold_signals();
+  const db::AddedSweep added = db::add_sweep(connection, name, document, jobs_of(scenes));
+  const std::size_t left = tally(connection, added.sweep).left;
+  if (!a.json) {
+    fmt::print("{}: {} runs within the budget, {} to run\n", name, scenes.size(), left);
+    std::fflush(stdout);
+  }
+  if (left > 0) work(connection, {a.workers, a.threads_per_job, a.json}, added.sweep);
+  return tally(connection, added.sweep);
+}
+
+int study_exit(const Tally& left) {
+  if (left.left > 0) {
+    fmt::print(stderr, "stopped; the same command goes on from the checkpoints\n");
+    return stopped_by_signal;
+  }
+  return static_cast<int>(left.failed > 0 ? ExitCode::job_failed : ExitCode::done);
+}
+
+}  // namespace eerie::cli
