@@ -17,16 +17,19 @@ struct PhaseCell {
   double v_imp_cm_per_s = 0;
   double theta_imp_deg = 0;
   CellState state = CellState::pending;
-  double b_over_a = 0;  ///< of the largest remnant; read for done and unsettled only
-  std::string outcome;  ///< class name (outcome.hpp); empty where there is no result
-  bool eer = false;     ///< some remnant of at least 100 particles has b/a < 0.3
+  double b_over_a = 0;        ///< of the largest remnant; read for done and unsettled only
+  std::string outcome = {};   ///< class name (outcome.hpp); empty where there is no result
+  bool eer = false;           ///< some remnant of at least 100 particles has b/a < 0.3
+  std::string fidelity = {};  ///< settings that the result rests on; empty: told once for all cells
+  std::size_t seeds = 1;      ///< runs that it is the mean of
+  bool in_doubt = false;      ///< the runs do not agree as surely as was asked
 };
 
 /// A map of b/a over impact speed and angle at one mass ratio and friction angle.
 struct PhaseDiagram {
   double q = 1;
   double phi_d_deg = 40;
-  std::int64_t particles_per_target = 0;
+  std::int64_t particles_per_target = 0;  ///< 0: differs from cell to cell
   double v_esc_cm_per_s = 0;  ///< mutual escape speed at contact: the upper axis; 0: none
   std::optional<double> threshold_cm_per_s;  ///< draws the curve v sin(theta) = threshold
   std::vector<PhaseCell> cells;              ///< any order; at most one per (v, theta)

@@ -29,6 +29,16 @@ void smaller_eer(Canvas& canvas, const Area& area) {
   canvas.polygon({corner, {corner.x - side, corner.y}, {corner.x, corner.y - side}}, eer);
 }
 
+void in_doubt(Canvas& canvas, const Area& area) {
+  canvas.outline({{area.low.x + 1, area.low.y + 1}, {area.high.x - 1, area.high.y - 1}}, failure,
+                 1.2);
+}
+
+std::string basis(const PhaseCell& cell) {
+  const char letter = cell.fidelity == "sketch" ? 'k' : cell.fidelity == "survey" ? 'v' : 'p';
+  return fmt::format("{}{}", letter, cell.seeds);
+}
+
 }  // namespace map_mark
 
 namespace {
@@ -54,6 +64,12 @@ PhaseLegend::PhaseLegend(const PhaseDiagram& diagram, double width_pt) {
   for (const OutcomeName& row : outcome_names)
     if (any([&](const PhaseCell& c) { return has_result(c) && c.outcome == row.name; }))
       entries_.push_back({Mark::letter, std::string(row.short_name), std::string(row.name)});
+  for (const char* fidelity : {"sketch", "survey", "paper"})
+    if (any([&](const PhaseCell& c) { return c.fidelity == fidelity; }))
+      entries_.push_back({Mark::letter, map_mark::basis({.fidelity = fidelity, .seeds = 4}),
+                          fmt::format("4 seeds, {}", fidelity)});
+  if (any([](const PhaseCell& c) { return c.in_doubt; }))
+    entries_.push_back({Mark::doubt, "", "in doubt"});
   if (any([](const PhaseCell& c) { return c.state == CellState::unsettled; }))
     entries_.push_back({Mark::unsettled, "", "unsettled: pieces will meet again"});
   if (any([](const PhaseCell& c) { return c.state == CellState::failed; }))
@@ -100,6 +116,11 @@ void PhaseLegend::draw(Canvas& canvas, Point upper_left) const {
         break;
       case Mark::failed:
         map_mark::failed(canvas, box);
+        break;
+      case Mark::doubt:
+        canvas.fill(box, b_over_a_colour(0.8));
+        map_mark::in_doubt(canvas,
+                           {{box.low.x - 1, box.low.y - 1}, {box.high.x + 1, box.high.y + 1}});
         break;
     }
     if (entry.mark != Mark::letter && entry.mark != Mark::curve)

@@ -23,6 +23,10 @@ void failed(Canvas& canvas, const Area& area);
 void unsettled(Canvas& canvas, const Area& area);
 /// A blue corner: the largest remnant is no EER, but a smaller one is.
 void smaller_eer(Canvas& canvas, const Area& area);
+/// A heavy frame.
+void in_doubt(Canvas& canvas, const Area& area);
+/// "v4": four runs; k: sketch, v: survey, p: paper.
+std::string basis(const PhaseCell& cell);
 }  // namespace map_mark
 
 /// Explains the marks that occur in a map, in rows under it.
@@ -33,7 +37,7 @@ class PhaseLegend {
   void draw(Canvas& canvas, Point upper_left) const;
 
  private:
-  enum class Mark { letter, curve, blue, corner, pending, failed, unsettled };
+  enum class Mark { letter, curve, blue, corner, pending, failed, unsettled, doubt };
   struct Entry {
     Mark mark;
     std::string letter, words;

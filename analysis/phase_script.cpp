@@ -83,7 +83,8 @@ void draw_result(Canvas& canvas, const Area& area, const PhaseCell& cell) {
   cell_text(canvas, {middle.x, middle.y + lift}, value_text(cell.b_over_a, area.width()),
             value_size, fill, false);
   cell_text(canvas, {middle.x, middle.y - lift},
-            fmt::format("{}{}", class_letter(cell.outcome), unsettled ? "?" : ""),
+            fmt::format("{}{}{}", class_letter(cell.outcome), unsettled ? "?" : "",
+                        cell.fidelity.empty() ? "" : " " + map_mark::basis(cell)),
             map_mark::letter_size, fill, true);
 }
 
@@ -103,6 +104,7 @@ void draw_cells(Canvas& canvas, const PhaseDiagram& diagram, const Frame& frame)
         break;
     }
     canvas.outline(area, {255, 255, 255}, 0.5);
+    if (cell.in_doubt) map_mark::in_doubt(canvas, area);
   }
 }
 
@@ -129,10 +131,13 @@ void draw_titles(Canvas& canvas, const PhaseDiagram& diagram, const Frame& frame
   const Style across{.size = 7, .colour = map_mark::ink};
   Style upwards = across;
   upwards.upwards = true;
-  canvas.text({middle.x, height - 7},
-              fmt::format("q = {:g},  φ_d\u00a0= {:g}°,  {} particles per target", diagram.q,
-                          diagram.phi_d_deg, diagram.particles_per_target),
-              across);
+  canvas.text(
+      {middle.x, height - 7},
+      fmt::format("q = {:g},  φ_d\u00a0= {:g}°{}", diagram.q, diagram.phi_d_deg,
+                  diagram.particles_per_target == 0
+                      ? ""
+                      : fmt::format(",  {} particles per target", diagram.particles_per_target)),
+      across);
   canvas.text({middle.x, a.low.y - 17}, "v_{imp}\u00a0(cm/s)", across);
   canvas.text({a.low.x - 25, middle.y}, "θ_{imp}\u00a0(deg)", upwards);
   canvas.text({a.high.x + 31, middle.y}, "b/a of the largest remnant", upwards);

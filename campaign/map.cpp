@@ -4,8 +4,10 @@
 
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <optional>
 
+#include "campaign/job.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie {
@@ -61,6 +63,30 @@ std::vector<PhaseDiagram> phase_diagrams(const db::Connection& connection,
     diagrams.back().cells.push_back(cell(p));
   }
   return diagrams;
+}
+
+std::vector<PhaseDiagram> phase_diagrams(const AutoFidelity& campaign) {
+  std::map<std::pair<double, double>, PhaseDiagram> diagrams;
+  for (const AutoCell& c : campaign.cells()) {
+    const Scene& s = c.survey_scene;
+    const double q = s.impact.q, phi_d = s.material.drucker_prager.phi_d_deg;
+    PhaseDiagram& diagram = diagrams[{q, phi_d}];
+    diagram.q = q, diagram.phi_d_deg = phi_d;
+    diagram.v_esc_cm_per_s = 100 * mutual_escape_speed(s);
+    diagram.threshold_cm_per_s = threshold(q, phi_d);
+    PhaseCell cell{s.impact.v_imp_cm_per_s, s.impact.theta_imp_deg};
+    if (!c.fidelity.empty()) {
+      cell.state = CellState::done;
+      cell.b_over_a = c.verdict.b_over_a, cell.outcome = c.verdict.outcome;
+      cell.eer = c.verdict.p_elongated >= 0.5;
+      cell.fidelity = c.fidelity, cell.seeds = c.seeds();
+      cell.in_doubt = campaign.in_doubt(c);
+    }
+    diagram.cells.push_back(std::move(cell));
+  }
+  std::vector<PhaseDiagram> all;
+  for (auto& [point, diagram] : diagrams) all.push_back(std::move(diagram));
+  return all;
 }
 
 std::vector<fs::path> draw_sweep_maps(const db::Connection& connection, std::int64_t sweep,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/phase_diagram.hpp"
+#include "campaign/auto_fidelity.hpp"
 #include "db/query.hpp"
 
 namespace eerie {
@@ -13,8 +14,16 @@ namespace eerie {
 std::vector<PhaseDiagram> phase_diagrams(const db::Connection& connection,
                                          const db::MapFilter& filter);
 
+/// The maps of an automatic choice of fidelity: each cell says what it rests on, and is heavily
+/// framed where it is in doubt.
+std::vector<PhaseDiagram> phase_diagrams(const AutoFidelity& campaign);
+
 /// The pictures of a sweep beside its database, "<database>-<sweep>-b-over-a.png" and ".svg" (the
 /// sweep only where it has another name; "-q1-phi40-n5000" behind where it has several maps).
+/// The maps of an automatic choice of fidelity: each cell rests on what it says, heavily framed
+/// where it is in doubt.
+std::vector<PhaseDiagram> phase_diagrams(const AutoFidelity& campaign);
+
 /// Draws those that are missing or older than the newest result. Returns their paths.
 std::vector<std::filesystem::path> draw_sweep_maps(const db::Connection& connection,
                                                    std::int64_t sweep,

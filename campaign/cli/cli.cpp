@@ -29,6 +29,15 @@ Action add_run(CLI::App& app) {
   add_changes(app, a->changes);
   app.add_option("--map", a->maps, "draw the b/a map into this file too (.png, .svg or .pdf)");
   app.add_flag("--retry-failed", a->retry_failed, "run the sweep's failed jobs again");
+  app.add_option("--confidence", a->confidence,
+                 "with --fidelity auto: how sure class and b/a < 0.3 must be (default: 0.9)")
+      ->check(CLI::Range(0.5, 0.999));
+  app.add_option("--budget", a->core_hours,
+                 "with --fidelity auto: core-hours that it may cost (default: no limit)")
+      ->check(CLI::Range(0.001, 1e7));
+  app.add_option("--most-seeds", a->most_seeds,
+                 "with --fidelity auto: surveys of one impact at most (default: 8)")
+      ->check(CLI::Range(1, 1000));
   add_engine(app, a->engine);
   add_json(app, a->json);
   return [a] { return run(*a); };
@@ -115,7 +124,9 @@ constexpr Command commands[] = {
      "  eerie run sweeps/first-light.json\n"
      "  eerie run sweeps/table2-fig2b.json --db fig2b.sqlite --workers 8\n"
      "  eerie run sweeps/first-light.json --set numerics.particles_per_target=5000 "
-     "--threads-per-job 2",
+     "--threads-per-job 2\n"
+     "  eerie run sweeps/table2-fig2b.json --fidelity survey\n"
+     "  eerie run sweeps/table2-fig2b.json --fidelity auto --confidence 0.9 --budget 2",
      add_run},
     {"expand", "Say what a sweep would run: jobs, new jobs, core-hours",
      "  eerie expand sweeps/table2-fig2a.json\n"

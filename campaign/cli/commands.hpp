@@ -21,8 +21,13 @@ struct RunArguments {
   bool retry_failed = false;
   EngineArguments engine;
   bool json = false;
+  // --fidelity auto; 0: its default
+  double confidence = 0, core_hours = 0;
+  std::int64_t most_seeds = 0;
 };
 int run(const RunArguments& arguments);
+/// run() with --fidelity auto.
+int run_auto(const RunArguments& arguments);
 
 struct ExpandArguments {
   std::filesystem::path sweep, database;

@@ -53,8 +53,9 @@ void add_changes(CLI::App& app, SceneChanges& changes) {
   app.add_option("--set", changes.overrides,
                  "override a field of the scene, PATH=VALUE; may be repeated")
       ->allow_extra_args(false);
-  app.add_option("--fidelity", changes.fidelity,
-                 "settings by name: sketch, survey or paper; --set goes before them");
+  app.add_option(
+      "--fidelity", changes.fidelity,
+      "settings by name: sketch, survey or paper (run: auto, too); --set goes before them");
 }
 
 std::vector<std::string> SceneChanges::all() const {

@@ -96,7 +96,19 @@ void print_report(const db::Connection& connection, const RunArguments& a, std::
 
 }  // namespace
 
+/// Options of --fidelity auto say nothing without it.
+void require_fixed_fidelity(const RunArguments& a) {
+  for (const auto& [given, option] :
+       {std::pair(a.confidence > 0, "--confidence"), std::pair(a.core_hours > 0, "--budget"),
+        std::pair(a.most_seeds > 0, "--most-seeds")})
+    if (given)
+      throw InputError(
+          fmt::format("{} needs --fidelity auto; add that, or leave {} out", option, option));
+}
+
 int run(const RunArguments& a) {
+  if (a.changes.fidelity == "auto") return run_auto(a);
+  require_fixed_fidelity(a);
   const Sweep sweep = load_sweep(a.sweep, a.changes.all());
   const std::vector<Scene> scenes = eerie::expand(sweep);
   const std::vector<db::NewJob> jobs = jobs_of(scenes);

@@ -1,0 +1,151 @@
+#include "campaign/auto_fidelity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "campaign/finished_run.hpp"
+#include "solver/base/error.hpp"
+
+namespace eerie {
+
+namespace {
+
+constexpr const char* coarse = "sketch";
+constexpr const char* fine = "survey";
+/// So many runs of each impact at a time, and so many sketches at most.
+constexpr std::int64_t seeds_at_a_time = 2, most_sketches = 4;
+/// Of b/a, before anything is known: the spread of seeds, and what a sketch may be off.
+constexpr double prior_deviation = 0.03, prior_scatter = 0.05;
+
+bool agree(const std::vector<Sample>& samples) {
+  return std::ranges::all_of(samples,
+                             [&](const Sample& s) { return s.outcome == samples.front().outcome; });
+}
+
+struct AutoRun {
+  std::size_t cell = 0;
+  bool survey = false;
+  Scene scene;
+};
+
+Scene with_seed(Scene scene, std::int64_t seed) {
+  scene.numerics.seed = seed;
+  return scene;
+}
+
+std::string point_of(const Scene& s) {
+  return fmt::format("{},{},{},{}", s.impact.q, s.material.drucker_prager.phi_d_deg,
+                     s.impact.v_imp_cm_per_s, s.impact.theta_imp_deg);
+}
+
+}  // namespace
+
+AutoFidelity::AutoFidelity(const Sweep& sketch, const Sweep& survey, AutoOptions options)
+    : options_(options) {
+  for (const Axis& axis : sketch.axes)
+    if (axis.path == "numerics.seed")
+      throw InputError(fmt::format(
+          "{}: grid: numerics.seed is chosen by --fidelity auto and is an axis too; leave it out",
+          sketch.where));
+  const std::vector<Scene> sketches = expand(sketch), surveys = expand(survey);
+  for (std::size_t k = 0; k < sketches.size(); ++k)
+    cells_.push_back({sketches[k], surveys[k], {}, {}, {}, ""});
+}
+
+void AutoFidelity::update(const db::Connection& connection) {
+  std::vector<AutoRun> runs;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    cells_[c].sketch.clear(), cells_[c].survey.clear();
+    for (std::int64_t seed = 1; seed <= most_sketches; ++seed)
+      runs.push_back({c, false, with_seed(cells_[c].sketch_scene, seed)});
+    for (std::int64_t seed = 1; seed <= options_.most_seeds; ++seed)
+      runs.push_back({c, true, with_seed(cells_[c].survey_scene, seed)});
+  }
+  for (const Finished<AutoRun>& r : finished_runs(connection, runs)) {
+    AutoCell& cell = cells_[r.run.cell];
+    (r.run.survey ? cell.survey : cell.sketch)
+        .push_back({r.row.result.outcome_class, r.row.result.b_over_a, r.core_seconds});
+  }
+  judge_all();
+}
+
+void AutoFidelity::judge_all() {
+  std::vector<std::vector<Sample>> sketches, surveys;
+  std::vector<Both> both;
+  for (const AutoCell& cell : cells_) {
+    sketches.push_back(cell.sketch), surveys.push_back(cell.survey);
+    both.push_back({cell.sketch, cell.survey});
+  }
+  transfer_ = transfer_between(both, prior_scatter);
+  const double coarse_deviation = pooled_deviation(sketches, prior_deviation);
+  const double fine_deviation = pooled_deviation(surveys, prior_deviation);
+  for (AutoCell& cell : cells_) {
+    if (!cell.survey.empty()) {
+      cell.fidelity = fine;
+      cell.verdict = judge(cell.survey, fine_deviation, {});
+    } else if (!cell.sketch.empty()) {
+      cell.fidelity = coarse;
+      cell.verdict = judge(cell.sketch, coarse_deviation, transfer_);
+    }
+  }
+}
+
+std::vector<Wanted> AutoFidelity::next() const {
+  std::vector<Wanted> wanted;
+  const auto ask = [&](const Scene& scene, bool survey, std::size_t done, std::int64_t most) {
+    const auto first = static_cast<std::int64_t>(done) + 1;
+    for (std::int64_t seed = first; seed < first + seeds_at_a_time && seed <= most; ++seed)
+      wanted.push_back({with_seed(scene, seed), survey});
+  };
+  for (const AutoCell& cell : cells_) {
+    if (!in_doubt(cell)) continue;
+    // More sketches help where all that is lacking is their number.
+    const double p = cell.verdict.p_elongated;
+    const bool only_few =
+        cell.survey.empty() && agree(cell.sketch) && std::max(p, 1 - p) >= options_.confidence;
+    if (cell.sketch.empty() || (only_few && std::ssize(cell.sketch) < most_sketches))
+      ask(cell.sketch_scene, false, cell.sketch.size(), most_sketches);
+    else
+      ask(cell.survey_scene, true, cell.survey.size(), options_.most_seeds);
+  }
+  return wanted;
+}
+
+std::map<std::string, double> AutoFidelity::core_seconds() const {
+  std::map<std::string, double> sums;
+  for (const AutoCell& cell : cells_) {
+    for (const Sample& s : cell.sketch) sums[coarse] += s.core_seconds;
+    for (const Sample& s : cell.survey) sums[fine] += s.core_seconds;
+  }
+  return sums;
+}
+
+double AutoFidelity::uniform_core_seconds() const {
+  double sum = 0;
+  std::size_t runs = 0;
+  for (const AutoCell& cell : cells_)
+    for (const Sample& s : cell.survey) sum += s.core_seconds, ++runs;
+  if (runs == 0) return 0;
+  return sum / static_cast<double>(runs) * static_cast<double>(options_.most_seeds) *
+         static_cast<double>(cells_.size());
+}
+
+std::string auto_csv(const AutoFidelity& campaign) {
+  std::string csv =
+      "q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,fidelity,seeds,sketches,class,p_class,b_over_a,"
+      "p_eer,confidence,in_doubt\n";
+  for (const AutoCell& c : campaign.cells()) {
+    csv += point_of(c.survey_scene);
+    if (c.fidelity.empty())
+      csv += ",,0,0,,,,,,1\n";
+    else
+      csv +=
+          fmt::format(",{},{},{},{},{:.3f},{:.4f},{:.3f},{:.3f},{}\n", c.fidelity, c.seeds(),
+                      c.sketch.size(), c.verdict.outcome, c.verdict.p_outcome, c.verdict.b_over_a,
+                      c.verdict.p_elongated, c.verdict.confidence(), campaign.in_doubt(c) ? 1 : 0);
+  }
+  return csv;
+}
+
+}  // namespace eerie

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "campaign/doubt.hpp"
+#include "campaign/sweep.hpp"
+#include "db/connection.hpp"
+
+namespace eerie {
+
+/// How sure an automatic choice of fidelity must be, and what it may cost.
+struct AutoOptions {
+  double confidence = 0.9;
+  std::int64_t most_seeds = 8;
+};
+
+/// One impact of a sweep with all that was run of it.
+struct AutoCell {
+  Scene sketch_scene, survey_scene;
+  std::vector<Sample> sketch, survey;
+  Verdict verdict;       ///< of the finest that has runs; nothing is known before the first
+  std::string fidelity;  ///< what the verdict rests on; empty before the first run
+  std::size_t seeds() const { return fidelity == "survey" ? survey.size() : sketch.size(); }
+};
+
+/// A run that an automatic choice asks for.
+struct Wanted {
+  Scene scene;
+  bool survey = false;
+};
+
+/// Coarse first, finer only where in doubt: every impact is sketched with two seeds; where they
+/// agree, with two more; what they leave in doubt is surveyed, two seeds at a time, until the
+/// ensemble is as sure as asked or has most_seeds runs.
+class AutoFidelity {
+ public:
+  /// The same sweep with the settings of either fidelity. Throws InputError as expand() does, and
+  /// where seeds are an axis.
+  AutoFidelity(const Sweep& sketch, const Sweep& survey, AutoOptions options);
+
+  /// Reads what the database has of the impacts.
+  void update(const db::Connection& connection);
+
+  /// Runs that are wanted next, given what is known; none when no answer is in doubt any more
+  /// or the seeds are used up. Failed runs are not asked for again.
+  std::vector<Wanted> next() const;
+
+  const std::vector<AutoCell>& cells() const { return cells_; }
+  bool in_doubt(const AutoCell& cell) const {
+    return cell.fidelity.empty() || cell.verdict.in_doubt(options_.confidence);
+  }
+  /// Core-seconds of all runs that the verdicts made use of, by fidelity.
+  std::map<std::string, double> core_seconds() const;
+  /// The same for most_seeds surveys of every impact, from the mean of those that ran; 0 without
+  /// any.
+  double uniform_core_seconds() const;
+  const Transfer& transfer() const { return transfer_; }
+
+ private:
+  void judge_all();
+
+  AutoOptions options_;
+  std::vector<AutoCell> cells_;
+  Transfer transfer_;
+};
+
+/// One line per impact: what is known of it, how sure, and on what it rests.
+std::string auto_csv(const AutoFidelity& campaign);
+
+}  // namespace eerie

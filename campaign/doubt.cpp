@@ -1,0 +1,76 @@
+#include "campaign/doubt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/remnants.hpp"
+#include "analysis/student.hpp"
+#include "campaign/ensemble.hpp"
+
+namespace eerie {
+
+namespace {
+
+Ensemble shapes(std::span<const Sample> samples) {
+  std::vector<double> values;
+  for (const Sample& sample : samples)
+    if (sample.b_over_a) values.push_back(*sample.b_over_a);
+  return ensemble(values);
+}
+
+/// The most frequent class and how many have it.
+std::pair<std::string, double> leading(std::span<const Sample> samples) {
+  std::map<std::string, double> counts;
+  for (const Sample& sample : samples) ++counts[sample.outcome];
+  return *std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; });
+}
+
+}  // namespace
+
+double Verdict::confidence() const {
+  return std::min(p_outcome, std::max(p_elongated, 1 - p_elongated));
+}
+
+Verdict judge(std::span<const Sample> samples, double deviation, const Transfer& transfer) {
+  const auto [outcome, count] = leading(samples);
+  const auto all = static_cast<double>(samples.size());
+  Verdict verdict{outcome, (count + 0.5) / (all + 1)};
+  const Ensemble e = shapes(samples);
+  if (e.runs == 0) return verdict;
+  const auto n = static_cast<double>(e.runs);
+  const double freedom = prior_runs + n - 1;
+  const double variance =
+      (prior_runs * deviation * deviation + (n - 1) * e.deviation * e.deviation) / freedom;
+  const double scale = std::sqrt(variance * (1 + 1 / n) + transfer.scatter * transfer.scatter);
+  verdict.b_over_a = e.mean;
+  verdict.p_elongated =
+      n / all * student_cdf((eer_max_b_over_a - e.mean - transfer.shift) / scale, freedom);
+  return verdict;
+}
+
+double pooled_deviation(std::span<const std::vector<Sample>> ensembles, double prior) {
+  double squares = prior_runs * prior * prior, freedom = prior_runs;
+  for (const std::vector<Sample>& samples : ensembles) {
+    const Ensemble e = shapes(samples);
+    if (e.runs < 2 || leading(samples).second < static_cast<double>(samples.size())) continue;
+    const auto more = static_cast<double>(e.runs - 1);
+    squares += more * e.deviation * e.deviation, freedom += more;
+  }
+  return std::sqrt(squares / freedom);
+}
+
+Transfer transfer_between(std::span<const Both> impacts, double prior) {
+  std::vector<double> differences;
+  for (const Both& one : impacts) {
+    const Ensemble coarse = shapes(one.coarse), fine = shapes(one.fine);
+    if (coarse.runs > 0 && fine.runs > 0) differences.push_back(fine.mean - coarse.mean);
+  }
+  const Ensemble e = ensemble(differences);
+  const auto n = static_cast<double>(e.runs);
+  const double shift = n * e.mean / (n + prior_runs);
+  double squares = prior_runs * prior * prior;
+  for (const double d : differences) squares += (d - shift) * (d - shift);
+  return {shift, std::sqrt(squares / (n + prior_runs))};
+}
+
+}  // namespace eerie

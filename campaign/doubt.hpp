@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace eerie {
+
+/// What one run says about its impact.
+struct Sample {
+  std::string outcome;                  ///< class
+  std::optional<double> b_over_a = {};  ///< of the largest remnant; nothing where there is none
+  double core_seconds = 0;
+};
+
+/// How b/a by one fidelity stands to that by a finer one: a shift and a scatter about it.
+struct Transfer {
+  double shift = 0, scatter = 0;
+};
+
+/// What an ensemble says about an impact.
+struct Verdict {
+  std::string outcome;     ///< class of most runs
+  double p_outcome = 0;    ///< that another run has it
+  double b_over_a = 1;     ///< mean of the largest remnants
+  double p_elongated = 0;  ///< that another, finer run has b/a < 0.3
+  /// That the answers "which class" and "b/a < 0.3 or not" hold for another run; the smaller one.
+  double confidence() const;
+  bool in_doubt(double wanted) const { return confidence() < wanted; }
+};
+
+/// Prior knowledge counts as much as this many runs.
+inline constexpr double prior_runs = 4;
+
+/// The class: k of n runs have it, (k + 1/2)/(n + 1), Jeffreys' rule. b/a < 0.3: Student's
+/// predictive distribution of one more run, its spread that of the ensemble and, as prior, that of
+/// others
+/// (`deviation`, standard deviation of b/a), widened by the transfer. An impact without a remnant
+/// is not elongated. `samples` must not be empty.
+Verdict judge(std::span<const Sample> samples, double deviation, const Transfer& transfer);
+
+/// Standard deviation of b/a about the mean of its ensemble, pooled over ensembles that agree on
+/// their class, with prior_runs runs' worth of `prior`.
+double pooled_deviation(std::span<const std::vector<Sample>> ensembles, double prior);
+
+/// From impacts that both fidelities have runs of, with prior_runs runs' worth of no shift and the
+/// scatter of `prior`.
+struct Both {
+  std::vector<Sample> coarse, fine;
+};
+Transfer transfer_between(std::span<const Both> impacts, double prior);
+
+}  // namespace eerie

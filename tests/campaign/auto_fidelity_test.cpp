@@ -1,0 +1,154 @@
+#include "campaign/auto_fidelity.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <set>
+
+#include "campaign/fidelity.hpp"
+#include "campaign/job.hpp"
+#include "db/jobs.hpp"
+#include "solver/base/error.hpp"
+#include "tests/db/sample_jobs.hpp"
+#include "tests/io/snapshot_fixture.hpp"
+
+namespace eerie {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+const json grid = {{"name", "ridge"},
+                   {"grid", {{"v_imp_cm_per_s", {15, 18, 20, 22}}, {"theta_imp_deg", {10, 15}}}}};
+
+Sweep sweep_at(const char* fidelity, const json& sweep = grid) {
+  return parse_sweep(sweep, overrides_of_fidelity(fidelity), "ridge.json");
+}
+
+AutoFidelity new_campaign(AutoOptions options = {}) {
+  return AutoFidelity(sweep_at("sketch"), sweep_at("survey"), options);
+}
+
+/// What a solver would say: b/a falls with speed; at 20 cm/s it is close to 0.3, and at 22 cm/s
+/// every third seed splits.
+db::Result outcome_of(const Scene& s) {
+  const auto seed = static_cast<double>(s.numerics.seed);
+  const double noise = 0.01 * std::sin(2.4 * seed);
+  const double v = s.impact.v_imp_cm_per_s;
+  db::Result r = test::sample_result(v == 20 ? 0.3 + noise : 0.6 - 0.001 * v + noise);
+  if (v == 22 && s.numerics.seed % 3 == 0) r.outcome_class = "hit-and-run";
+  return r;
+}
+
+/// Runs what is wanted until nothing is; how many runs that took. `fails`: never gives a result.
+template <class Fails>
+std::size_t run_out(AutoFidelity& campaign, db::Connection& connection, Fails&& fails) {
+  std::set<std::string> ran;
+  for (int round = 0; round < 50; ++round) {
+    campaign.update(connection);
+    std::size_t fresh = 0;
+    for (const auto& [scene, survey] : campaign.next()) {
+      EXPECT_EQ(survey, scene.numerics.particles_per_target == 1000);
+      if (!ran.insert(scene_hash(scene)).second) continue;
+      ++fresh;
+      const db::NewJob job = new_job(scene);
+      const db::AddedSweep added = db::add_sweep(connection, job.hash, "{}", std::vector{job});
+      if (fails(scene)) continue;
+      const std::int64_t id = db::jobs(connection, {added.sweep}).front().id;
+      db::AttemptEnd end = test::ended(db::ExitReason::finished);
+      end.core_seconds = scene.numerics.particles_per_target == 1000 ? 15 : 4;
+      db::begin_attempts(connection, std::vector{db::Start{id, "here", "", "1"}});
+      db::finish(connection, id, end, outcome_of(scene), {});
+    }
+    if (fresh == 0) break;
+  }
+  campaign.update(connection);
+  return ran.size();
+}
+
+const AutoCell& cell_at(const AutoFidelity& campaign, double v) {
+  return *std::ranges::find(campaign.cells(), v,
+                            [](const AutoCell& c) { return c.survey_scene.impact.v_imp_cm_per_s; });
+}
+
+TEST(AutoFidelity, SketchesEveryImpactFirst) {
+  const test::TemporaryFolder folder;
+  db::Connection connection(folder / "a.sqlite", db::Access::write);
+  AutoFidelity campaign = new_campaign();
+  campaign.update(connection);
+  const std::vector<Wanted> first = campaign.next();
+  ASSERT_EQ(first.size(), 16u);
+  for (const Wanted& run : first) EXPECT_EQ(fidelity_of(to_json(run.scene)), "sketch");
+  EXPECT_TRUE(campaign.in_doubt(campaign.cells().front()));
+}
+
+TEST(AutoFidelity, GoesOnlyWhereItIsInDoubt) {
+  const test::TemporaryFolder folder;
+  db::Connection connection(folder / "a.sqlite", db::Access::write);
+  AutoFidelity campaign = new_campaign();
+  run_out(campaign, connection, [](const Scene&) { return false; });
+  for (const double clear : {15.0, 18.0}) {
+    const AutoCell& cell = cell_at(campaign, clear);
+    EXPECT_EQ(cell.fidelity, "sketch") << clear;
+    EXPECT_EQ(cell.sketch.size(), 4u);
+    EXPECT_TRUE(cell.survey.empty());
+    EXPECT_FALSE(campaign.in_doubt(cell));
+  }
+  for (const double doubtful : {20.0, 22.0}) {
+    const AutoCell& cell = cell_at(campaign, doubtful);
+    EXPECT_EQ(cell.fidelity, "survey") << doubtful;
+    EXPECT_EQ(cell.survey.size(), 8u);
+    EXPECT_TRUE(campaign.in_doubt(cell));
+  }
+  EXPECT_NEAR(cell_at(campaign, 20).verdict.p_elongated, 0.5, 0.2);
+  EXPECT_NEAR(cell_at(campaign, 22).verdict.p_outcome, 6.5 / 9, 1e-12);
+  const auto spent = campaign.core_seconds();
+  EXPECT_EQ(spent.at("survey"), 4 * 8 * 15);
+  EXPECT_LT(spent.at("sketch") + spent.at("survey"), 0.7 * 8 * 8 * 15);
+  EXPECT_EQ(campaign.uniform_core_seconds(), 8 * 8 * 15);
+  EXPECT_THAT(auto_csv(campaign), HasSubstr("1,40,15,10,sketch,4,4,perfect-merging,0.900,"));
+}
+
+TEST(AutoFidelity, AsksForNothingThatItIsSureOf) {
+  const test::TemporaryFolder folder;
+  db::Connection connection(folder / "a.sqlite", db::Access::write);
+  AutoFidelity strict = new_campaign({0.95, 8}), easy = new_campaign({0.75, 8});
+  const std::size_t most = run_out(strict, connection, [](const Scene&) { return false; });
+  const test::TemporaryFolder other;
+  db::Connection second(other / "b.sqlite", db::Access::write);
+  const std::size_t fewest = run_out(easy, second, [](const Scene&) { return false; });
+  EXPECT_LT(fewest, most / 2);
+}
+
+TEST(AutoFidelity, TakesResultsThatAreThereAndGoesOnFromThem) {
+  const test::TemporaryFolder folder;
+  db::Connection connection(folder / "a.sqlite", db::Access::write);
+  AutoFidelity first = new_campaign();
+  run_out(first, connection, [](const Scene&) { return false; });
+  AutoFidelity again = new_campaign();
+  again.update(connection);
+  EXPECT_TRUE(again.next().empty());
+  EXPECT_EQ(auto_csv(again), auto_csv(first));
+}
+
+TEST(AutoFidelity, EndsWhereRunsFail) {
+  const test::TemporaryFolder folder;
+  db::Connection connection(folder / "a.sqlite", db::Access::write);
+  AutoFidelity campaign = new_campaign();
+  run_out(campaign, connection, [](const Scene& s) {
+    return s.impact.v_imp_cm_per_s == 15 && s.impact.theta_imp_deg == 10;
+  });
+  EXPECT_TRUE(campaign.cells().front().fidelity.empty());
+  EXPECT_TRUE(campaign.in_doubt(campaign.cells().front()));
+  EXPECT_FALSE(campaign.in_doubt(cell_at(campaign, 18)));
+}
+
+TEST(AutoFidelity, RefusesAGridOfSeeds) {
+  const json seeds = {{"name", "s"}, {"grid", {{"numerics.seed", {1, 2}}}}};
+  EXPECT_THAT([&] { AutoFidelity(sweep_at("sketch", seeds), sweep_at("survey", seeds), {}); },
+              ThrowsMessage<InputError>(HasSubstr("numerics.seed")));
+}
+
+}  // namespace
+}  // namespace eerie

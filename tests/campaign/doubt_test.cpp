@@ -1,0 +1,83 @@
+#include "campaign/doubt.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/student.hpp"
+
+namespace eerie {
+namespace {
+
+std::vector<Sample> samples(const std::vector<double>& b_over_a,
+                            const std::string& outcome = "perfect-merging") {
+  std::vector<Sample> all;
+  for (const double value : b_over_a) all.push_back({outcome, value, 1});
+  return all;
+}
+
+TEST(Doubt, CountsClassesByJeffreysRule) {
+  std::vector<Sample> some = samples({0.5, 0.5, 0.5});
+  EXPECT_DOUBLE_EQ(judge(some, 0.03, {}).p_outcome, 3.5 / 4);
+  some.push_back({"hit-and-run", 0.5, 1});
+  EXPECT_EQ(judge(some, 0.03, {}).outcome, "perfect-merging");
+  EXPECT_DOUBLE_EQ(judge(some, 0.03, {}).p_outcome, 3.5 / 5);
+}
+
+TEST(Doubt, NeedsFourAlikeForNineInTen) {
+  EXPECT_TRUE(judge(samples({0.5, 0.5, 0.5}), 0.03, {}).in_doubt(0.9));
+  EXPECT_FALSE(judge(samples({0.5, 0.5, 0.5, 0.5}), 0.03, {}).in_doubt(0.9));
+}
+
+TEST(Doubt, AsksWhetherOneMoreRunWouldBeElongatedByStudentsPrediction) {
+  // One run at 0.25 with a known spread of 0.05 as four runs' worth of knowledge.
+  const Verdict one = judge(samples({0.25}), 0.05, {});
+  EXPECT_NEAR(one.p_elongated, student_cdf(0.05 / (0.05 * std::sqrt(2)), 4), 1e-12);
+  // Many runs: their own mean and spread decide.
+  std::vector<double> many;
+  for (int k = 0; k < 400; ++k) many.push_back(0.3 + 0.02 * (k % 2 == 0 ? 1 : -1) - 0.02);
+  const Verdict sure = judge(samples(many), 0.5, {});
+  EXPECT_NEAR(sure.p_elongated, student_cdf(1 / std::sqrt(1 + 4 * 625.0 / 403), 403), 0.02);
+  EXPECT_NEAR(sure.b_over_a, 0.28, 1e-12);
+}
+
+TEST(Doubt, GrowsWithWhatACoarseRunMayBeOffBy) {
+  const std::vector<Sample> some = samples({0.36, 0.36, 0.36, 0.36});
+  const double sure = judge(some, 0.02, {}).p_elongated;
+  const double widened = judge(some, 0.02, {0, 0.05}).p_elongated;
+  const double shifted = judge(some, 0.02, {-0.06, 0}).p_elongated;
+  EXPECT_LT(sure, 0.03);
+  EXPECT_GT(widened, 3 * sure);
+  EXPECT_NEAR(shifted, 0.5, 1e-9);
+}
+
+TEST(Doubt, CallsAnImpactWithoutARemnantNotElongated) {
+  std::vector<Sample> none = {{"catastrophic-disruption", std::nullopt, 1},
+                              {"catastrophic-disruption", std::nullopt, 1}};
+  EXPECT_EQ(judge(none, 0.03, {}).p_elongated, 0);
+  none.push_back({"catastrophic-disruption", 0.2, 1});
+  EXPECT_LT(judge(none, 0.03, {}).p_elongated, 1.0 / 3);
+}
+
+TEST(Doubt, PoolsSpreadsOfEnsemblesThatAgreeOnTheirClass) {
+  std::vector<std::vector<Sample>> ensembles = {
+      samples({0.2, 0.3})};  // squares about the mean 0.005
+  const double expected = std::sqrt((4 * 0.03 * 0.03 + 0.005) / 5);
+  EXPECT_NEAR(pooled_deviation(ensembles, 0.03), expected, 1e-12);
+  ensembles.push_back(samples({0.2, 0.9}));
+  ensembles.back()[1].outcome = "hit-and-run";  // two kinds of impact have no common spread
+  EXPECT_NEAR(pooled_deviation(ensembles, 0.03), expected, 1e-12);
+  EXPECT_DOUBLE_EQ(pooled_deviation({}, 0.03), 0.03);
+}
+
+TEST(Doubt, LearnsHowCoarseStandsToFineFromWhatHasBoth) {
+  EXPECT_DOUBLE_EQ(transfer_between({}, 0.05).scatter, 0.05);
+  std::vector<Both> impacts(96, {samples({0.35}), samples({0.30})});
+  const Transfer known = transfer_between(impacts, 0.05);
+  EXPECT_NEAR(known.shift, -0.05 * 96 / 100, 1e-12);
+  EXPECT_LT(known.scatter, 0.02);
+  EXPECT_EQ(transfer_between(std::vector<Both>{{samples({0.3}), {}}}, 0.05).shift, 0);
+}
+
+}  // namespace
+}  // namespace eerie

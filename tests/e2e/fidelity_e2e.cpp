@@ -1,0 +1,108 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "campaign/history.hpp"
+#include "solver/base/file.hpp"
+#include "tests/io/snapshot_fixture.hpp"
+#include "tests/support/program.hpp"
+
+namespace eerie {
+namespace {
+using nlohmann::json;
+using test::Ended;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class Fidelity : public testing::Test {
+ protected:
+  Ended eerie(const std::vector<std::string>& arguments) {
+    return test::eerie(folder.path(), arguments);
+  }
+  test::TemporaryFolder folder;
+};
+
+TEST_F(Fidelity, RunEndsOnceTheImpactHasSettledAndSaysSo) {
+  install_text(folder / "sweep.json", R"({
+    "name": "slow",
+    "scene": {"numerics": {"particles_per_target": 100}, "impact": {"theta_imp_deg": 5},
+              "end": {"time_s": 60000, "settled": {"window_s": 2000, "shape": 0.01}}},
+    "grid": {"v_imp_cm_per_s": [8]}})");
+  const Ended run = eerie({"run", "sweep.json", "--workers", "1"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json row = json::parse(eerie({"query", "--json"}).out).at(0);
+  EXPECT_EQ(row.at("end_reason"), "settled");
+  EXPECT_EQ(row.at("class"), "perfect-merging");
+  const double ended = row.at("ended_at_s");
+  EXPECT_GT(ended, 2000);
+  EXPECT_LT(ended, 30000);
+  const fs::path job = test::job_directories(folder / "eerie.sqlite").at(0);
+  const Series<RemnantLook> looks(job / "remnants.csv");
+  ASSERT_FALSE(looks.rows().empty());
+  EXPECT_EQ(looks.rows().back().time_s, ended);
+  EXPECT_EQ(looks.rows().back().b_over_a, row.at("b_over_a"));
+}
+
+TEST_F(Fidelity, ByNameIsNotedWithTheResults) {
+  install_text(folder / "sweep.json", R"({"name": "one", "grid": {"v_imp_cm_per_s": [20]}})");
+  const Ended unknown = eerie({"run", "sweep.json", "--fidelity", "best"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err,
+              HasSubstr("--fidelity best: must be one of sketch, survey, paper, auto"));
+  const Ended listed = eerie({"expand", "sweep.json", "--fidelity", "sketch", "--list"});
+  EXPECT_THAT(listed.out, HasSubstr(" 400 "));
+  const Ended alone = eerie({"run", "sweep.json", "--confidence", "0.8"});
+  EXPECT_EQ(alone.code, 2);
+  EXPECT_THAT(alone.err, HasSubstr("--confidence needs --fidelity auto"));
+}
+
+TEST_F(Fidelity, AutoRunsInRoundsUntilItIsSureAndHasNothingLeftToDoAfterwards) {
+  install_text(folder / "sweep.json", R"({"name": "small", "grid": {"v_imp_cm_per_s": [15, 20]}})");
+  // Both fidelities cut down to a second: what is tested is the way through them.
+  const std::vector<std::string> command = {"run",          "sweep.json",
+                                            "--fidelity",   "auto",
+                                            "--set",        "end.time_s=200",
+                                            "--set",        "numerics.particles_per_target=200",
+                                            "--set",        "output.history_interval_s=100",
+                                            "--workers",    "2",
+                                            "--most-seeds", "4"};
+  const Ended first = eerie(command);
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr("round 1: 2 of 2 impacts in doubt; 4 sketches and 0 surveys"));
+  EXPECT_THAT(first.out, HasSubstr("x 4"));
+  EXPECT_THAT(read_file(folder / "eerie-small-auto.csv"), HasSubstr("1,40,15,15,"));
+  EXPECT_THAT(read_file(folder / "eerie-small-auto.svg"), HasSubstr("4 seeds"));
+  const std::string table = read_file(folder / "eerie-small-auto.csv");
+  const Ended again = eerie(command);
+  EXPECT_EQ(again.code, 0);
+  EXPECT_THAT(again.out, Not(HasSubstr("round")));
+  EXPECT_EQ(read_file(folder / "eerie-small-auto.csv"), table);
+}
+
+TEST_F(Fidelity, AutoKeepsToItsBudget) {
+  install_text(folder / "sweep.json", R"({"name": "small", "grid": {"v_imp_cm_per_s": [15, 20]}})");
+  const Ended ended = eerie({"run", "sweep.json", "--fidelity", "auto", "--budget", "0.001"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("2 impacts, 2 in doubt; 0.00 core-hours"));
+}
+
+TEST_F(Fidelity, IsChartedAgainstItsCost) {
+  install_text(folder / "study.json", R"({
+    "name": "tiny", "scene": {"end": {"time_s": 300}, "numerics": {"particles_per_target": 200}},
+    "seeds": 2, "cases": [{"name": "A", "scene": {}}],
+    "knobs": [{"name": "cfl", "settings": [{"label": "0.3", "set": {"numerics.cfl": 0.3}}]}],
+    "reference": {"label": "finer", "seeds": 1, "set": {"numerics.particles_per_target": 400}}})");
+  const std::vector<std::string> command = {"chart", "study.json", "--workers", "2", "-o", "c.svg"};
+  const Ended first = eerie(command);
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr("5 results"));
+  EXPECT_THAT(read_file(folder / "c.svg"), HasSubstr("frontier"));
+  const std::string table = read_file(folder / "c.csv");
+  EXPECT_THAT(table, HasSubstr("\"cfl\",\"0.3\",2,"));
+  EXPECT_THAT(table, HasSubstr("\"reference\",\"finer\",1,"));
+  EXPECT_THAT(read_file(folder / "c-runs.csv"), HasSubstr("\"default\",\"\",A,1,"));
+  EXPECT_THAT(eerie(command).out, HasSubstr("5 runs within the budget, 0 to run"));
+}
+
+}  // namespace
+}  // namespace eerie
