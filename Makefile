@@ -3,7 +3,7 @@
 BUILD ?= build
 JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
-.PHONY: help run build test validate bench scale test-faults sanitize fuzz format tidy clean packages-run packages-test packages-fuzz
+.PHONY: help run build test validate bench scale settled test-faults sanitize fuzz format tidy clean packages-run packages-test packages-fuzz
 FUZZ_SECONDS ?= 60
 
 help:   ## this list
@@ -39,6 +39,14 @@ scale: packages-test  ## measure a campaign of 1,000 to 100,000 jobs (10 minutes
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON -DEERIE_BENCHMARKS=ON > /dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target eerie eerie_scale
 	@OMP_NUM_THREADS=1 $(BUILD)/tests/bench/eerie_scale docs/scale
+
+settled: packages-test  ## what the settled stop would have done to runs to 1e5 s (30 minutes): docs/accuracy
+	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON -DEERIE_BENCHMARKS=ON > /dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target eerie eerie_settled
+	@mkdir -p $(BUILD)/settled
+	@$(BUILD)/eerie converge sweeps/studies/settled.json --db $(BUILD)/settled/settled.sqlite -o $(BUILD)/settled > /dev/null
+	@$(BUILD)/tests/bench/eerie_settled $(BUILD)/settled/settled.sqlite.jobs docs/accuracy/settled.csv 4000 0.0015 0.02 0.005
+	@$(BUILD)/tests/bench/eerie_settled $(BUILD)/settled/settled.sqlite.jobs docs/accuracy/settled-survey.csv 4000 0.003 0.05 0.02
 
 test-faults: packages-test  ## kill, damage and starve campaigns (15 minutes): 200 kills, every named point
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON > /dev/null

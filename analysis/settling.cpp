@@ -17,12 +17,11 @@ constexpr double slow_spin = 0.01;
 
 using Looks = std::span<const RemnantLook>;
 
-/// Looks of one moment each, from the last on, as far back as the window reaches; empty where a
-/// look is missing: so many are expected.
-std::vector<Looks> last_window(Looks looks, double window) {
-  const double interval = window / looks_per_window;
+/// Looks of one moment each, from the last on, as far back as so many intervals reach; empty where
+/// a look is missing.
+std::vector<Looks> last_moments(Looks looks, std::size_t intervals, double interval) {
   std::vector<Looks> moments;
-  while (!looks.empty() && moments.size() <= looks_per_window) {
+  while (!looks.empty() && moments.size() <= intervals) {
     const double time = looks.back().time_s;
     if (!moments.empty() && moments.back().front().time_s - time > 1.5 * interval) return {};
     const auto first = std::ranges::find(looks, time, &RemnantLook::time_s);
@@ -30,7 +29,7 @@ std::vector<Looks> last_window(Looks looks, double window) {
     moments.push_back(looks.subspan(others));
     looks = looks.first(others);
   }
-  if (moments.size() <= looks_per_window) return {};
+  if (moments.size() <= intervals) return {};
   return moments;
 }
 
@@ -79,6 +78,34 @@ std::string change(int rank, const char* what, const Range& range, double window
                      range.low, range.high, window);
 }
 
+/// unsteadiness() over the last `intervals` looks.
+std::string unsteadiness(Looks looks, std::size_t intervals, const Scene::Settled& settled) {
+  const double interval = settled.window_s / looks_per_window;
+  const double duration = interval * static_cast<double>(intervals);
+  const std::vector<Looks> moments = last_moments(looks, intervals, interval);
+  if (moments.empty()) return "it was not watched for long enough";
+  std::vector<Track> tracks(moments.front().size());
+  for (std::size_t t = 0; t < tracks.size(); ++t) tracks[t].include(moments.front()[t]);
+  for (const Looks& moment : moments) {
+    if (moment.size() != tracks.size() || (moment.front().rank == 0) != (tracks[0].at.rank == 0))
+      return fmt::format("the number of remnants changed within {:.0f} s", duration);
+    go_back(tracks, moment);
+  }
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    const Track& track = tracks[t];
+    const int rank = moments.front()[t].rank;
+    if (track.b_over_a.width() > settled.shape)
+      return change(rank, "b/a", track.b_over_a, duration);
+    if (track.c_over_a.width() > settled.shape)
+      return change(rank, "c/a", track.c_over_a, duration);
+    if (track.mass.width() > settled.fall_back)
+      return change(rank, "the part of the mass", track.mass, duration);
+    if (track.spin.width() > settled.spin * std::max(track.spin.high, slow_spin))
+      return change(rank, "the turns per hour", track.spin, duration);
+  }
+  return "";
+}
+
 PointMass point(const Remnant& r) { return {r.mass, r.x, r.v}; }
 
 /// Time until two touch, at `contact` between their centres; infinity when they will not.
@@ -107,27 +134,28 @@ std::vector<RemnantLook> look(double time_s, const Remnants& found, const Scene:
 }
 
 std::string unsteadiness(Looks looks, const Scene::Settled& settled) {
-  const std::vector<Looks> moments = last_window(looks, settled.window_s);
-  if (moments.empty()) return "it was not watched for long enough";
-  std::vector<Track> tracks(moments.front().size());
-  for (std::size_t t = 0; t < tracks.size(); ++t) tracks[t].include(moments.front()[t]);
-  for (const Looks& moment : moments) {
-    if (moment.size() != tracks.size() || (moment.front().rank == 0) != (tracks[0].at.rank == 0))
-      return fmt::format("the number of remnants changed within {:.0f} s", settled.window_s);
-    go_back(tracks, moment);
-  }
-  for (std::size_t t = 0; t < tracks.size(); ++t) {
-    const Track& track = tracks[t];
-    const int rank = moments.front()[t].rank;
-    if (track.b_over_a.width() > settled.shape)
-      return change(rank, "b/a", track.b_over_a, settled.window_s);
-    if (track.c_over_a.width() > settled.shape)
-      return change(rank, "c/a", track.c_over_a, settled.window_s);
-    if (track.mass.width() > settled.fall_back)
-      return change(rank, "the part of the mass", track.mass, settled.window_s);
-    if (track.spin.width() > settled.spin * std::max(track.spin.high, slow_spin))
-      return change(rank, "the turns per hour", track.spin, settled.window_s);
-  }
+  return unsteadiness(looks, looks_per_window, settled);
+}
+
+std::string liveliness(Looks looks, const Remnants& found, double horizon, double sound_speed,
+                       const Scene::Settled& settled) {
+  constexpr double slack = 3, greatest_mach = 0.1;
+  Scene::Settled wide = settled;
+  wide.shape *= slack, wide.spin *= slack, wide.fall_back *= slack;
+  if (std::string text = unsteadiness(looks, looks_per_window / 2, wide); !text.empty())
+    return text;
+  for (std::size_t i = 0; i < found.remnants.size(); ++i)
+    for (std::size_t j = i + 1; j < found.remnants.size(); ++j) {
+      const Remnant &one = found.remnants[i], &other = found.remnants[j];
+      if (!is_watched(one, settled) || !is_watched(other, settled)) continue;
+      const double contact = (one.shape.a + other.shape.a) / 2;
+      if (time_to_contact(point(one), point(other), contact) > horizon) continue;
+      const Orbit orbit = relative_orbit(point(one), point(other));
+      const double speed = std::sqrt(2 * std::max(0.0, orbit.specific_energy + orbit.mu / contact));
+      if (speed > greatest_mach * sound_speed)
+        return fmt::format("remnants {} and {} will meet at {:.3f} m/s", one.rank, other.rank,
+                           speed);
+    }
   return "";
 }
 

@@ -26,6 +26,12 @@ std::vector<RemnantLook> look(double time_s, const Remnants& found, const Scene:
 /// look by their mass and origin, not by their rank, which two alike may exchange.
 std::string unsteadiness(std::span<const RemnantLook> looks, const Scene::Settled& settled);
 
+/// What moves too fast for a late phase (numerics.late_sound_speed); empty where nothing does: over
+/// half a window remnants kept within three times the tolerances, and no two of them meet within
+/// `horizon` (s) at more than a tenth of `sound_speed` (m/s), the one of the late phase.
+std::string liveliness(std::span<const RemnantLook> looks, const Remnants& found, double horizon,
+                       double sound_speed, const Scene::Settled& settled);
+
 /// What gravity will bring within `horizon` (s): the first contact of two remnants, more fragments
 /// falling back than settled.fall_back allows, or a remnant that gathers from fragments; empty
 /// where nothing. `total`: mass of both bodies, kg. Orbits are those of pairs; contact is at the

@@ -17,11 +17,13 @@ struct Fidelity {
 inline constexpr Fidelity fidelities[] = {
     // The fewest particles that make an impactor of q = 0.25.
     {"sketch",
-     R"({"numerics": {"scheme": "viscosity-50000", "particles_per_target": 400},
+     R"({"numerics": {"scheme": "viscosity-50000", "particles_per_target": 400,
+                     "late_sound_speed": 0.25},
          "end": {"time_s": 60000,
                  "settled": {"window_s": 4000, "shape": 0.003, "spin": 0.05, "fall_back": 0.02}}})"},
     {"survey",
-     R"({"numerics": {"scheme": "viscosity-50000", "particles_per_target": 1000},
+     R"({"numerics": {"scheme": "viscosity-50000", "particles_per_target": 1000,
+                     "late_sound_speed": 0.25},
          "end": {"time_s": 60000,
                  "settled": {"window_s": 4000, "shape": 0.003, "spin": 0.05, "fall_back": 0.02}}})"},
     // Sugiura, Kobayashi & Inutsuka (2019): their particle number, scheme and time.

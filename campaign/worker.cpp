@@ -202,6 +202,12 @@ Computed compute(const Scene& scene, const fs::path& directory, int threads, lon
                .empty() &&
            unsteadiness(looks.rows(), scene.end.settled).empty();
   };
+  options.calm = [&](const Snapshot& snapshot) {
+    return liveliness(looks.rows(), find_remnants(snapshot.state),
+                      horizon(scene.end, snapshot.state.time),
+                      scene.numerics.late_sound_speed * bulk_sound_speed(scene), scene.end.settled)
+        .empty();
+  };
   options.stop = StopRequest(JobDirectory{directory}.stop());
   options.on_note = [](const std::string& note) { spdlog::info("{}", note); };
   Computed computed;

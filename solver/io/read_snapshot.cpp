@@ -75,6 +75,8 @@ State read_state(hid_t file, const OptionalFields& use) {
         fmt::format("time {} and step {} are not those of a run", state.time, state.step));
   state.mass = positive(group, "ParticleMass");
   state.h = positive(group, "SmoothingLength");
+  // Files from before there was a late phase have none.
+  if (h5::has_attribute(group, "Softening")) state.softening = positive(group, "Softening");
   const std::size_t n = h5::rows_of(group, "ParticleIDs", h5::Layout<std::uint32_t>::type(), 1);
   if (n == 0) throw Failure("it has no particles");
   resize(state, n, use);

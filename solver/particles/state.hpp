@@ -20,6 +20,7 @@ struct State {
   double time = 0;                 ///< s since the start of the run
   long step = 0;                   ///< steps done
   double mass = 0;                 ///< of one particle, kg
+  double softening = 1;            ///< of sound speeds, in a late phase (step/late.hpp)
   double h = 0;                    ///< smoothing length at the reference density, m
   std::vector<std::uint32_t> id;   ///< 0..N-1, fixed for the whole run
   std::vector<std::uint8_t> body;  ///< Body

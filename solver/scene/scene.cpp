@@ -84,6 +84,7 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/numerics/gravity_tolerance", s.numerics.gravity_tolerance);
   visit("/numerics/gravity_interval", s.numerics.gravity_interval);
   visit("/numerics/list_skin", s.numerics.list_skin);
+  visit("/numerics/late_sound_speed", s.numerics.late_sound_speed);
   visit("/numerics/precision", s.numerics.precision);
   visit("/end/time_s", s.end.time_s);
   visit("/end/latest_s", s.end.latest_s);
@@ -125,6 +126,17 @@ void require_consistent(const Scene& scene, const std::string& where) {
     throw InputError(
         fmt::format("{}.material.lundborg.Y_M_Pa = {:g}: must be greater than Y_0_Pa = {:g}", where,
                     m.lundborg.Y_M_Pa, m.lundborg.Y_0_Pa));
+  if (scene.numerics.late_sound_speed < 1 && scene.end.settled.window_s == 0)
+    throw InputError(
+        fmt::format("{}.numerics.late_sound_speed = {:g}: when the late phase begins is asked as "
+                    "often as the settled stop looks; set end.settled.window_s too, to 4000 for "
+                    "instance",
+                    where, scene.numerics.late_sound_speed));
+  if (scene.numerics.late_sound_speed < 1 && m.energy != "none")
+    throw InputError(fmt::format(
+        "{}.numerics.late_sound_speed = {:g}: a late phase keeps no energy budget; set it to 1, or "
+        "material.energy to \"none\"",
+        where, scene.numerics.late_sound_speed));
   const std::vector<Scene::Wall>& walls = scene.environment.walls;
   for (std::size_t a = 0; a < walls.size(); ++a)
     for (std::size_t b = a + 1; b < walls.size(); ++b) {
@@ -204,7 +216,9 @@ std::string scene_hash(const Scene& scene) { return canonical_hash(to_json(scene
 
 std::string canonical_hash(json canonical) {
   canonical.erase("output");
-  // Younger than the first results: where it is off, a scene keeps the name it had before.
+  // Younger than the first results: where they are off, a scene keeps the name it had before.
+  if (canonical["numerics"]["late_sound_speed"] == 1)
+    canonical["numerics"].erase("late_sound_speed");
   if (canonical["end"]["settled"]["window_s"] == 0) canonical["end"].erase("settled");
   return sha256_hex(canonical.dump());
 }

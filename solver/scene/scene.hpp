@@ -97,6 +97,7 @@ struct Scene {
     double gravity_tolerance;          ///< relative error of gravity between its evaluations
     std::int64_t gravity_interval;     ///< the most steps from one evaluation to the next
     double list_skin;                  ///< extra neighbour search radius over 2h
+    double late_sound_speed;           ///< times sound speeds once nothing moves fast; 1: never
     std::string precision;             ///< of pair sums: "float" or "double"; the state is double
   } numerics;
 

@@ -10,6 +10,7 @@
 #include "solver/base/error.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/checkpoints.hpp"
+#include "solver/step/late.hpp"
 #include "solver/step/solver.hpp"
 
 namespace eerie {
@@ -121,7 +122,7 @@ class Run {
     summary.progress = progress();
     summary.stages = solver_.stages();
     summary.steps_here = static_cast<double>(solver_.state().step - first_step);
-    summary.list_builds = solver_.list_builds();
+    summary.list_builds = earlier_list_builds_ + solver_.list_builds();
     summary.threads = options_.threads;
     return summary;
   }
@@ -130,12 +131,26 @@ class Run {
   /// Asked after every cycle; looks at the remnants when a look is due and at the goals alone.
   std::optional<EndReason> reason_to_end() {
     const double now = solver_.state().time;
-    if (looks_.due(now) && options_.settled && options_.settled(snapshot()))
-      return EndReason::settled;
+    if (looks_.due(now)) {
+      const Snapshot now_there = snapshot();
+      if (options_.settled && options_.settled(now_there)) return EndReason::settled;
+      if (scene_.numerics.late_sound_speed < 1 && solver_.state().softening == 1 && options_.calm &&
+          options_.calm(now_there))
+        begin_late_phase();
+    }
     if (now < goal_ * (1 - Ending::rounding)) return std::nullopt;
     const auto reason = ending_.reason(now, [this] { return snapshot(); });
     if (!reason) goal_ = ending_.next(now);
     return reason;
+  }
+
+  void begin_late_phase() {
+    StageTimes spent = solver_.stages();
+    earlier_list_builds_ += solver_.list_builds();
+    solver_ = Solver(scene_, softened(solver_.state(), solver_.pressure(), scene_));
+    for (std::size_t k = 0; k < stage_count; ++k) solver_.stages().seconds[k] += spent.seconds[k];
+    note(fmt::format("t = {:.0f} s: remnants are calm; sound speeds are {:g} times what they were",
+                     solver_.state().time, scene_.numerics.late_sound_speed));
   }
 
   fs::path numbered(long n) const {
@@ -219,7 +234,8 @@ class Run {
   Schedule snapshots_, histories_, looks_;
   Snapshot last_good_;  ///< a checkpoint of the last history row
   Ending ending_;
-  double goal_;  ///< the run may end then, and is asked again
+  double goal_;                   ///< the run may end then, and is asked again
+  long earlier_list_builds_ = 0;  ///< before the late phase
   std::optional<EndReason> over_;
 };
 

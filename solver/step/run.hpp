@@ -52,6 +52,9 @@ struct RunOptions {
   std::function<void(const Snapshot&, const Totals& first)> on_history;
   /// Whether remnants will meet; asked from end.time_s on where end.latest_s is later.
   std::function<bool(const Snapshot&)> will_meet;
+  /// Whether remnants hardly move: from then on sound speeds are numerics.late_sound_speed times
+  /// what they were. Asked when `settled` is.
+  std::function<bool(const Snapshot&)> calm;
   /// Whether nothing changes any more; asked `looks_per_window` times in end.settled.window_s,
   /// from the start on.
   std::function<bool(const Snapshot&)> settled;

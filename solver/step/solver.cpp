@@ -10,6 +10,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/principal.hpp"
 #include "solver/io/snapshot.hpp"
+#include "solver/step/late.hpp"
 #include "solver/step/walls.hpp"
 
 namespace eerie {
@@ -67,10 +68,10 @@ Solver::Solver(const Scene& scene, State state)
 
 Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& restart,
                std::vector<double> pressure)
-    : scene_(scene),
+    : scene_(softened(scene, state.softening)),
       state_(std::move(state)),
       rates_(std::move(rates)),
-      material_(make_material(scene)),
+      material_(make_material(scene_)),
       fields_(optional_fields(scene)),
       gradient_(scene.numerics.gradient == "corrected-fully"  ? Gradient::corrected_fully
                 : scene.numerics.gradient == "corrected"      ? Gradient::corrected

@@ -150,6 +150,34 @@ TEST(Settling, WaitsForDebrisThatWillGatherToARemnant) {
   EXPECT_THAT(encounters(found, 1e9, 1e5, tolerances), IsEmpty());
 }
 
+TEST(LatePhase, BeginsWhenRemnantsHardlyMoveWhichIsSoonerThanWhenTheyHaveSettled) {
+  // 0.025 in b/a over half a window: more than settling allows, less than three times as much.
+  const auto relaxing = [](double time) {
+    return std::vector{cigar(0.30 - 0.025 * (time - 100) / 400)};
+  };
+  const std::vector<RemnantLook> rows = looks(500, relaxing);
+  const Remnants alone = only({body(1, 0.95, {0, 0, 0}, {0, 0, 0})});
+  EXPECT_THAT(liveliness(rows, alone, 1e5, 0.8, tolerances), IsEmpty());
+  EXPECT_THAT(unsteadiness(rows, tolerances), HasSubstr("not watched"));
+  const auto falling = [](double time) {
+    return std::vector{cigar(0.30 - 0.035 * (time - 100) / 400)};
+  };
+  EXPECT_THAT(liveliness(looks(500, falling), alone, 1e5, 0.8, tolerances), HasSubstr("b/a"));
+}
+
+TEST(LatePhase, WaitsForAFastEncounter) {
+  const std::vector<RemnantLook> rows = looks(500, [](double) {
+    return std::vector{RemnantLook{0, 1, 0.5, 1, 100, 1, 1, 0},
+                       RemnantLook{0, 2, 0.5, 0, 100, 1, 1, 0}};
+  });
+  // At 1 m/s towards each other: gravity adds little.
+  const Remnants pair =
+      only({body(1, 0.5, {0, 0, 0}, {0, 0, 0}), body(2, 0.5, {1000, 0, 0}, {-1, 0, 0})});
+  EXPECT_THAT(liveliness(rows, pair, 1e5, 3, tolerances), HasSubstr("will meet at 1.0"));
+  EXPECT_THAT(liveliness(rows, pair, 1e5, 11, tolerances), IsEmpty());
+  EXPECT_THAT(liveliness(rows, pair, 500, 3, tolerances), IsEmpty());  // they meet after 900 s
+}
+
 TEST(Settling, LooksNoFurtherThanTheEndOfTheRun) {
   const Scene::End end = {60000, 0, tolerances};
   EXPECT_EQ(horizon(end, 20000), 40000);

@@ -77,6 +77,7 @@ TEST(Scene, KeepsTheHashOfResultsFromBeforeItCouldSettle) {
           "material": {"drucker_prager": {"phi_d_deg": 40}}})"));
   EXPECT_EQ(scene_hash(first_light),
             "c98a38ca5f10ae0c01dc84cca44892994234cde0cdad6056f6c3ac3950cb0407");
+  EXPECT_EQ(to_json(first_light)["numerics"]["late_sound_speed"], 1);
   // Tolerances of what is off are none.
   json off = to_json(first_light);
   off["end"]["settled"]["shape"] = 0.5;

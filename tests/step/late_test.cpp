@@ -1,0 +1,111 @@
+#include "solver/step/late.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "solver/base/error.hpp"
+#include "solver/step/solver.hpp"
+#include "tests/step/runs.hpp"
+
+namespace eerie {
+namespace {
+
+using nlohmann::json;
+using test::differences;
+using test::run_in;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::ThrowsMessage;
+
+/// short_impact() with a late phase, looked for every 5 s.
+Scene late_impact(const json& more = json::object()) {
+  json fields = {{"numerics", {{"late_sound_speed", 0.25}}},
+                 {"end", {{"time_s", 60}, {"settled", {{"window_s", 40}}}}}};
+  fields.merge_patch(more);
+  return test::short_impact(fields);
+}
+
+RunOptions calm_from(double time) {
+  RunOptions options;
+  options.calm = [time](const Snapshot& s) { return s.state.time > time; };
+  return options;
+}
+
+TEST(LatePhase, HasSoundSpeedsTimesTheFactor) {
+  const Scene scene = late_impact();
+  const Scene soft = softened(scene, 0.25);
+  EXPECT_DOUBLE_EQ(bulk_sound_speed(soft), bulk_sound_speed(scene) / 4);
+  EXPECT_DOUBLE_EQ(soft.material.shear_modulus_Pa, scene.material.shear_modulus_Pa / 16);
+  EXPECT_EQ(scene_hash(softened(scene, 1)), scene_hash(scene));
+}
+
+TEST(LatePhase, BeginsWithThePressuresThatWereThere) {
+  const Scene scene = late_impact();
+  const TemporaryFolder folder;
+  const Snapshot before = run_in(folder, scene).summary.last;
+  ASSERT_EQ(before.state.softening, 1);
+  const Solver after(scene, softened(before.state, before.pressure, scene));
+  EXPECT_EQ(after.state().softening, 0.25);
+  std::vector<double> was(before.state.size());
+  for (std::size_t i = 0; i < was.size(); ++i) was[before.state.id[i]] = before.pressure[i];
+  int pressed = 0;
+  for (std::size_t i = 0; i < was.size(); ++i) {
+    const double expected = was[after.state().id[i]];
+    EXPECT_NEAR(after.pressure()[i], expected, 1e-9 * std::abs(expected) + 1e-12);
+    pressed += expected > 0;
+  }
+  EXPECT_GT(pressed, 50);
+}
+
+TEST(LatePhase, TakesLongerStepsAndIsKeptInTheState) {
+  const Scene scene = late_impact();
+  const TemporaryFolder folder, other;
+  const RunSummary late = run_in(folder, scene, calm_from(30)).summary;
+  const RunSummary never = run_in(other, scene, calm_from(1e9)).summary;
+  EXPECT_EQ(late.last.state.softening, 0.25);
+  EXPECT_EQ(never.last.state.softening, 1);
+  EXPECT_EQ(read_snapshot(folder / "final.hdf5").state.softening, 0.25);
+  // Half of the time with steps that may be four times as long.
+  EXPECT_LT(late.progress.step, 0.75 * static_cast<double>(never.progress.step));
+}
+
+TEST(LatePhase, ChangesNothingBeforeItBegins) {
+  const TemporaryFolder folder, other;
+  const Snapshot late = run_in(folder, late_impact(), calm_from(1e9)).summary.last;
+  const Snapshot never =
+      run_in(other, late_impact({{"numerics", {{"late_sound_speed", 1}}}}), calm_from(0))
+          .summary.last;
+  EXPECT_THAT(differences(late, never), IsEmpty());
+}
+
+TEST(LatePhase, HasTheSameBitsForAnyNumberOfThreadsAndOfInterruptions) {
+  const Scene scene = late_impact();
+  const TemporaryFolder whole, pieces, threads;
+  RunOptions options = calm_from(30);
+  run_in(whole, scene, options);
+  const Snapshot expected = read_snapshot(whole / "final.hdf5");
+  options.threads = 3;
+  run_in(threads, scene, options);
+  EXPECT_THAT(differences(read_snapshot(threads / "final.hdf5"), expected), IsEmpty());
+  options.threads = 1, options.max_steps = 11;
+  while (run_in(pieces, scene, options).summary.end == RunEnd::step_limit) continue;
+  EXPECT_THAT(differences(read_snapshot(pieces / "final.hdf5"), expected), IsEmpty());
+}
+
+TEST(LatePhase, IsRefusedWhereNothingLooksOrAnEnergyBudgetIsKept) {
+  EXPECT_THAT(
+      [] {
+        parse_scene({{"numerics", {{"late_sound_speed", 0.5}}}});
+      },
+      ThrowsMessage<InputError>(HasSubstr("end.settled.window_s")));
+  EXPECT_THAT(
+      [] {
+        late_impact({{"material", {{"energy", "integrated"}}}});
+      },
+      ThrowsMessage<InputError>(HasSubstr("energy budget")));
+}
+
+}  // namespace
+}  // namespace eerie
