@@ -194,6 +194,12 @@ constexpr Command commands[] = {
      "  eerie converge sweeps/studies/convergence.json --budget 2 -o convergence\n"
      "  eerie converge sweeps/studies/convergence.json --draw-only -o convergence",
      add_converge},
+    {"disk",
+     "Say where in a protoplanetary disk impacts are slow enough, beside the paper's numbers",
+     "  eerie disk\n"
+     "  eerie disk --r 30 --alpha 1e-3 --json\n"
+     "  eerie disk -o disk --format svg --format pdf",
+     add_disk},
     {"worker", "Run the job of a directory", nullptr, add_worker},
     {"slurm-task", "Run the jobs of an array task of Slurm", nullptr, add_slurm_task},
 };

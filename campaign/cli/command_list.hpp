@@ -18,5 +18,6 @@ Action add_status(CLI::App& app);
 Action add_log(CLI::App& app);
 Action add_show(CLI::App& app);
 Action add_doctor(CLI::App& app);
+Action add_disk(CLI::App& app);
 
 }  // namespace eerie::cli
