@@ -172,9 +172,11 @@ constexpr Command commands[] = {
      "  eerie status --watch\n"
      "  eerie status --db fig2b.sqlite --json",
      add_status},
-    {"show", "Show a job: its scene, results, attempts, files and where they come from",
+    {"show", "Show a job: its scene, results, attempts and files; or pictures of its particles",
      "  eerie show 3f9a20c1\n"
-     "  eerie show 3f9a20c1 --json",
+     "  eerie show 3f9a20c1 --json\n"
+     "  eerie show 3f9a20c1 --panels 0,2500,7500,20000,50000 -o panels.pdf\n"
+     "  eerie show impact --colour depth -o panels.png --movie film.mp4",
      add_show},
     {"log", "Print the log of a job", "  eerie log 3f9a20c1\n  eerie log 3f9a20c1 -f", add_log},
     {"doctor", "Look for damage: database, job directories, disk, versions",
