@@ -178,6 +178,11 @@ constexpr Command commands[] = {
      "  eerie show 3f9a20c1 --panels 0,2500,7500,20000,50000 -o panels.pdf\n"
      "  eerie show impact --colour depth -o panels.png --movie film.mp4",
      add_show},
+    {"lightcurve", "Say how the brightness of a remnant changes while it spins",
+     "  eerie lightcurve 3f9a20c1\n"
+     "  eerie lightcurve impact/final.hdf5 --remnant 2 --json\n"
+     "  eerie lightcurve 3f9a20c1 --aspect 70 -o lightcurve.svg",
+     add_lightcurve},
     {"log", "Print the log of a job", "  eerie log 3f9a20c1\n  eerie log 3f9a20c1 -f", add_log},
     {"doctor", "Look for damage: database, job directories, disk, versions",
      "  eerie doctor\n"

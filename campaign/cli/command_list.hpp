@@ -19,5 +19,6 @@ Action add_log(CLI::App& app);
 Action add_show(CLI::App& app);
 Action add_doctor(CLI::App& app);
 Action add_disk(CLI::App& app);
+Action add_lightcurve(CLI::App& app);
 
 }  // namespace eerie::cli
