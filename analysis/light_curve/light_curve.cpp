@@ -11,6 +11,17 @@
 
 namespace eerie {
 
+namespace {
+
+/// Rows in the radius of a particle: so many that a body of 2,000 particles is as finely cut as by
+/// shadow_pixels_per_radius, and larger ones no finer.
+double fineness(std::size_t particles) {
+  return std::clamp(shadow_pixels_per_radius * std::cbrt(2000 / static_cast<double>(particles)),
+                    3.0, shadow_pixels_per_radius);
+}
+
+}  // namespace
+
 SpinningBody spinning_body(std::span<const Vec3> x, double radius) {
   SpinningBody body{{}, radius, ellipsoid_of_inertia(x)};
   if (!body.shape.degenerate.empty())
@@ -48,7 +59,7 @@ LightCurve light_curve(const SpinningBody& body, double aspect, std::size_t phas
     const double phase = 2 * pi * static_cast<double>(k) / static_cast<double>(phases);
     const Vec3 along = line_of_sight(aspect, phase);
     curve.phase[k] = phase;
-    curve.particles[k] = shadow_area(body.x, body.radius, along);
+    curve.particles[k] = shadow_area(body.x, body.radius, along, fineness(body.x.size()));
     curve.ellipsoid[k] = ellipsoid_shadow(body.shape, along);
   }
   return curve;

@@ -72,15 +72,5 @@ TEST(Movie, HasEveryFrame) {
   EXPECT_THROW(make_movie(folder / "none.mp4", 0, 10, frame), InputError);
 }
 
-TEST(Tool, RunsWithoutAShellAndSaysWhatWentWrong) {
-  const test::TemporaryFolder folder;
-  EXPECT_TRUE(run_tool({"cat", "", ""}, {}, "$HOME; x", folder / "out").well);
-  EXPECT_EQ(read_file(folder / "out"), "$HOME; x");
-  const ToolEnd end = run_tool({"cat", "", ""}, {"/nothing/here"});
-  EXPECT_FALSE(end.well);
-  EXPECT_THAT(end.words, HasSubstr("/nothing/here"));
-  EXPECT_THROW(run_tool({"no-such-program", "does things", "some-package"}, {}), EnvironmentError);
-}
-
 }  // namespace
 }  // namespace eerie
