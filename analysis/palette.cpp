@@ -44,7 +44,7 @@ Colour from_oklab(const Vec3& c) {
 }
 
 struct Anchor {
-  double b_over_a;
+  double at;  ///< b/a, or part of a scale
   Colour colour;
 };
 constexpr std::array<Anchor, 2> elongated = {
@@ -52,12 +52,18 @@ constexpr std::array<Anchor, 2> elongated = {
 constexpr std::array<Anchor, 3> other = {
     {{eer_max_b_over_a, {0xde, 0x97, 0x5c}}, {0.6, {0xf0, 0xc8, 0x8c}}, {1.0, {0xfd, 0xf6, 0xdc}}}};
 
+// Anchors of quantity_colour, evenly spaced in OKLab's lightness to within a few per cent.
+constexpr std::array<Anchor, 4> quantity = {{{0.0, {0x2a, 0x0f, 0x52}},
+                                             {0.33, {0x1f, 0x59, 0x9c}},
+                                             {0.66, {0x2f, 0xa2, 0x7d}},
+                                             {1.0, {0xf2, 0xd2, 0x3c}}}};
+
 template <std::size_t N>
 Colour between(const std::array<Anchor, N>& anchors, double value) {
   std::size_t k = 0;
-  while (k + 2 < N && value > anchors[k + 1].b_over_a) ++k;
+  while (k + 2 < N && value > anchors[k + 1].at) ++k;
   const Anchor &low = anchors[k], &high = anchors[k + 1];
-  const double t = (value - low.b_over_a) / (high.b_over_a - low.b_over_a);
+  const double t = (value - low.at) / (high.at - low.at);
   return from_oklab((1 - t) * to_oklab(low.colour) + t * to_oklab(high.colour));
 }
 
@@ -74,6 +80,8 @@ Colour b_over_a_colour(double b_over_a) {
   const double value = std::clamp(b_over_a, 0.0, 1.0);
   return value < eer_max_b_over_a ? between(elongated, value) : between(other, value);
 }
+
+Colour quantity_colour(double part) { return between(quantity, std::clamp(part, 0.0, 1.0)); }
 
 Colour text_colour(Colour background) {
   return lightness(background) < 55 ? Colour{255, 255, 255} : Colour{0, 0, 0};

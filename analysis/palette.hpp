@@ -22,6 +22,11 @@ double lightness(Colour colour);
 /// OKLab (Ottosson 2020).
 Colour b_over_a_colour(double b_over_a);
 
+/// Colour of a quantity at `part` of its scale, in [0, 1] (clamped): violet, blue, green, yellow.
+/// Lightness rises evenly, so it reads in grey and with every common form of colour blindness;
+/// its light end still stands out on white. Interpolated in OKLab.
+Colour quantity_colour(double part);
+
 /// Black or white, whichever stands out better on `background`.
 Colour text_colour(Colour background);
 

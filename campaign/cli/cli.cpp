@@ -169,10 +169,17 @@ constexpr Command commands[] = {
      "  eerie status --watch\n"
      "  eerie status --db fig2b.sqlite --json",
      add_status},
-    {"show", "Show a job: its scene, results, attempts, files and where they come from",
+    {"show", "Show a job: its scene, results, attempts and files; or pictures of its particles",
      "  eerie show 3f9a20c1\n"
-     "  eerie show 3f9a20c1 --json",
+     "  eerie show 3f9a20c1 --json\n"
+     "  eerie show 3f9a20c1 --panels 0,2500,7500,20000,50000 -o panels.pdf\n"
+     "  eerie show impact --colour depth -o panels.png --movie film.mp4",
      add_show},
+    {"lightcurve", "Say how the brightness of a remnant changes while it spins",
+     "  eerie lightcurve 3f9a20c1\n"
+     "  eerie lightcurve impact/final.hdf5 --remnant 2 --json\n"
+     "  eerie lightcurve 3f9a20c1 --aspect 70 -o lightcurve.svg",
+     add_lightcurve},
     {"log", "Print the log of a job", "  eerie log 3f9a20c1\n  eerie log 3f9a20c1 -f", add_log},
     {"doctor", "Look for damage: database, job directories, disk, versions",
      "  eerie doctor\n"
@@ -196,6 +203,12 @@ constexpr Command commands[] = {
      "  eerie chart sweeps/studies/accuracy.json --budget 2 -o accuracy.png\n"
      "  eerie chart sweeps/studies/accuracy.json --draw-only -o accuracy.pdf",
      add_chart},
+    {"disk",
+     "Say where in a protoplanetary disk impacts are slow enough, beside the paper's numbers",
+     "  eerie disk\n"
+     "  eerie disk --r 30 --alpha 1e-3 --json\n"
+     "  eerie disk -o disk --format svg --format pdf",
+     add_disk},
     {"worker", "Run the job of a directory", nullptr, add_worker},
     {"slurm-task", "Run the jobs of an array task of Slurm", nullptr, add_slurm_task},
 };

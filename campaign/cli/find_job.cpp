@@ -22,4 +22,15 @@ db::Job find_job(const db::Connection& connection, const std::string& word) {
   return found.front();
 }
 
+bool is_folder(const std::string& word) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(word, ignored);
+}
+
+JobDirectory folder_of(const std::filesystem::path& database, const std::string& word) {
+  if (is_folder(word)) return {word};
+  const db::Connection connection(database, db::Access::read);
+  return job_folder(connection).of(find_job(connection, word).hash);
+}
+
 }  // namespace eerie::cli

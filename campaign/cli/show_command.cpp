@@ -6,6 +6,7 @@
 
 #include "campaign/cli/command_list.hpp"
 #include "campaign/cli/find_job.hpp"
+#include "campaign/cli/picture_options.hpp"
 #include "campaign/cli/text_table.hpp"
 #include "campaign/job_directory.hpp"
 #include "db/jobs.hpp"
@@ -21,6 +22,7 @@ namespace {
 struct ShowArguments {
   fs::path database;
   std::string job;
+  PictureArguments pictures;
   bool json = false;
 };
 
@@ -162,7 +164,19 @@ void print(const json& r) {
                magnitude(file.at("bytes").get<double>()));
 }
 
+int draw(const ShowArguments& a) {
+  const json drawn = draw_pictures(a.pictures, folder_of(a.database, a.job).path);
+  fmt::print("{}", a.json ? drawn.dump(1) + "\n" : pictures_text(drawn));
+  return static_cast<int>(ExitCode::done);
+}
+
 int show(const ShowArguments& a) {
+  if (a.pictures.wanted()) return draw(a);
+  if (is_folder(a.job))
+    throw InputError(
+        fmt::format("JOB = {}: of a folder only pictures are shown; for example -o panels.svg, "
+                    "--movie film.mp4",
+                    a.job));
   const db::Connection connection(a.database, db::Access::read);
   const json all = report(connection, find_job(connection, a.job));
   if (a.json)
@@ -176,8 +190,11 @@ int show(const ShowArguments& a) {
 
 Action add_show(CLI::App& app) {
   auto a = std::make_shared<ShowArguments>();
-  app.add_option("JOB", a->job, "the first digits of the job's hash")->required();
+  app.add_option("JOB", a->job,
+                 "the first digits of the job's hash; for pictures also a folder with snapshots")
+      ->required();
   add_database(app, a->database);
+  add_pictures(app, a->pictures);
   add_json(app, a->json);
   return [a] { return show(*a); };
 }

@@ -129,19 +129,40 @@ Snapshot read_file_bytes(std::string bytes) {
   return snapshot;
 }
 
-}  // namespace
+InputError unusable(const std::filesystem::path& path, const std::exception& reason) {
+  return InputError(fmt::format("{} is not a usable snapshot: {}", path.string(), reason.what()));
+}
 
-Snapshot read_snapshot(const std::filesystem::path& path) {
+std::string present_bytes(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored) && !ignored)
     throw InputError(fmt::format("{}: there is no such snapshot", path.string()));
-  std::string bytes = read_file(path);
+  return read_file(path);
+}
+
+}  // namespace
+
+double snapshot_time(const std::filesystem::path& path) {
+  const std::string bytes = present_bytes(path);
+  try {
+    const h5::Silence silence;
+    const h5::Handle file = h5::open_bytes(bytes);
+    const double time = h5::read_double(h5::open_group(file, "State"), "Time");
+    if (!std::isfinite(time)) throw Failure("its time is not finite");
+    return time;
+  } catch (const Failure& failure) {
+    throw unusable(path, failure);
+  }
+}
+
+Snapshot read_snapshot(const std::filesystem::path& path) {
+  std::string bytes = present_bytes(path);
   try {
     return read_file_bytes(std::move(bytes));
   } catch (const Failure& failure) {
-    throw InputError(fmt::format("{} is not a usable snapshot: {}", path.string(), failure.what()));
+    throw unusable(path, failure);
   } catch (const InputError& error) {  // the scene inside
-    throw InputError(fmt::format("{} is not a usable snapshot: {}", path.string(), error.what()));
+    throw unusable(path, error);
   }
 }
 

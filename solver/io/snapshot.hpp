@@ -43,4 +43,8 @@ void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot,
 /// passes. Throws EnvironmentError where the file is there but cannot be read.
 Snapshot read_snapshot(const std::filesystem::path& path);
 
+/// The time of a snapshot, s, and nothing else of it: neither its seal nor its particles are looked
+/// at. Throws as read_snapshot() does.
+double snapshot_time(const std::filesystem::path& path);
+
 }  // namespace eerie

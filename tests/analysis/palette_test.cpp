@@ -34,6 +34,16 @@ TEST(Palette, AnchorsComeBackExactly) {
   EXPECT_EQ(b_over_a_colour(7), b_over_a_colour(1));
 }
 
+TEST(Palette, LightnessOfQuantitiesRisesEvenlyAndStandsOutOnWhite) {
+  const double first = lightness(quantity_colour(0)), last = lightness(quantity_colour(1));
+  EXPECT_LT(last, 87);
+  for (int k = 1; k <= 100; ++k) {
+    const double here = lightness(quantity_colour(k / 100.0));
+    EXPECT_GT(here, lightness(quantity_colour((k - 1) / 100.0))) << k;
+    EXPECT_NEAR(here, first + (last - first) * k / 100, 5) << k;
+  }
+}
+
 TEST(Palette, LightnessOfKnownColours) {
   EXPECT_NEAR(lightness({255, 255, 255}), 100, 1e-3);
   EXPECT_EQ(lightness({0, 0, 0}), 0);

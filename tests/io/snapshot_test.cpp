@@ -47,6 +47,17 @@ TEST(Snapshot, CheckpointComesBackWithTheSameBits) {
   }
 }
 
+TEST(Snapshot, TimeIsReadWithoutTheRest) {
+  const test::TemporaryFolder folder;
+  Snapshot snapshot = random_snapshot(200);
+  snapshot.state.time = 1234.5;
+  write_snapshot(folder / "a.hdf5", snapshot);
+  EXPECT_EQ(snapshot_time(folder / "a.hdf5"), 1234.5);
+  install_text(folder / "torn.hdf5", read_file(folder / "a.hdf5").substr(0, 500));
+  EXPECT_THROW(snapshot_time(folder / "torn.hdf5"), InputError);
+  EXPECT_THROW(snapshot_time(folder / "none.hdf5"), InputError);
+}
+
 TEST(Snapshot, PlainSnapshotComesBackWithoutRates) {
   const test::TemporaryFolder folder;
   const Snapshot snapshot = random_snapshot(200, false);

@@ -1,0 +1,251 @@
+#include "analysis/disk/disk_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/gnuplot.hpp"
+
+namespace eerie::disk {
+
+namespace {
+
+constexpr double width_pt = 255, height_pt = 200;
+constexpr double left_pt = 36, right_pt = 10, top_pt = 44, bottom_pt = 26;
+// Okabe & Ito's blue and vermilion, and pale fills that differ in lightness too.
+constexpr const char *slow_colour = "#0072b2", *fast_colour = "#d55e00";
+constexpr const char *solid = "lw 1.5 dt solid", *dashed = "lw 0.9 dt (6,3)";
+constexpr const char* dotted = "lw 1.3 dt (1.5,2) lc rgb 'black'";
+constexpr const char *below_fill = "#e4eff7", *between_fill = "#fff3b8", *above_fill = "#efefef";
+
+struct Range {
+  double low, high;
+  bool contains(double y) const { return y > low && y < high; }
+};
+
+/// Whole decades about the two contours that matter, with room for the others.
+Range decades(const DiskFigure& figure) {
+  Range y{figure.laws[0].of(slow)[0], figure.laws[0].of(fast)[0]};
+  for (const Contours& c : figure.laws) {
+    y.low = std::min(y.low, std::ranges::min(c.of(slow)));
+    y.high = std::max(y.high, std::ranges::max(c.of(fast)));
+  }
+  const auto decade = [&](double value, auto round) {
+    return std::pow(10, round(std::log10(value / figure.y_unit)));
+  };
+  return {decade(y.low / 1.3, [](double x) { return std::floor(x); }),
+          decade(y.high * 2, [](double x) { return std::ceil(x); })};
+}
+
+double au(double r) { return r / astronomical_unit; }
+
+/// r and all contours of one law, a column each.
+std::string contour_block(const DiskFigure& figure, std::size_t law) {
+  const Contours& c = figure.laws[law];
+  std::string text = fmt::format("$law{} << EOD\n", law);
+  for (std::size_t i = 0; i < c.r.size(); ++i) {
+    text += fmt::format("{:.10g}", au(c.r[i]));
+    for (const auto& values : c.y) text += fmt::format(" {:.6g}", values[i] / figure.y_unit);
+    text += "\n";
+  }
+  return text + "EOD\n";
+}
+
+std::string published_block(const DiskFigure& figure) {
+  std::string text = "$published << EOD\n";
+  for (const auto& line : figure.published) {
+    for (const auto& [r, value] : line)
+      text += fmt::format("{:.6g} {:.6g}\n", au(r), value / figure.y_unit);
+    text += "\n";
+  }
+  return text + "EOD\n";
+}
+
+int column(double speed) {
+  const auto* at = std::ranges::find(contour_speeds, speed);
+  return 2 + static_cast<int>(at - contour_speeds.begin());
+}
+
+std::string in_cm_per_s(double speed) { return fmt::format("{:g}", 100 * speed); }
+
+/// A thin contour and the place of its label, as an index of r.
+struct Labelled {
+  std::size_t speed, at;
+};
+
+/// Thin contours that have room for a label: in the middle, or near the right end.
+std::vector<Labelled> thin_contours(const DiskFigure& figure, const Range& range) {
+  const Contours& c = figure.laws[0];
+  const Range room{range.low * 1.1, range.high / 1.35};
+  std::vector<Labelled> found;
+  for (std::size_t s = 0; s < contour_speeds.size(); ++s) {
+    if (contour_speeds[s] == slow || contour_speeds[s] == fast) continue;
+    for (const double place : {0.45, 0.93}) {
+      const auto i = static_cast<std::size_t>(place * static_cast<double>(c.r.size() - 1));
+      if (!room.contains(c.y[s][i] / figure.y_unit)) continue;
+      found.push_back({s, i});
+      break;
+    }
+  }
+  return found;
+}
+
+std::string contour_labels(const DiskFigure& figure, const Range& range) {
+  const Contours& c = figure.laws[0];
+  std::string text;
+  for (const auto& [s, i] : thin_contours(figure, range))
+    text += fmt::format(
+        "set label '{}' at {:.6g},{:.6g} right offset 0,0.4 front font ',6' tc rgb '#444444'\n",
+        in_cm_per_s(contour_speeds[s]), au(c.r[i]), c.y[s][i] / figure.y_unit);
+  return text;
+}
+
+/// Which law of drag holds where: names above the frame, thin lines between.
+std::string regimes(const Contours& c) {
+  std::string text;
+  const double decades_wide = std::log10(c.r.back() / c.r.front());
+  for (std::size_t first = 0, i = 1; i <= c.r.size(); ++i) {
+    if (i < c.r.size() && c.drag[i].regime == c.drag[first].regime) continue;
+    const double from = au(c.r[first]), to = au(c.r[std::min(i, c.r.size() - 1)]);
+    if (std::log10(to / from) > 0.08 * decades_wide)
+      text += fmt::format("set label '{}' at {:.6g},graph 1.03 center font ',6' tc rgb '#444444'\n",
+                          name(c.drag[first].regime), std::sqrt(from * to));
+    if (i < c.r.size())
+      text += fmt::format(
+          "set arrow from {0:.10g},graph 0 to {0:.10g},graph 1 nohead front lw 0.4 dt 3 lc rgb "
+          "'#444444'\n",
+          to);
+    first = i;
+  }
+  return text;
+}
+
+std::string fills(const Range& range) {
+  const auto clipped = [&](int c) {
+    return fmt::format("(${0} < {1} ? {1} : ${0} > {2} ? {2} : ${0})", c, range.low, range.high);
+  };
+  const std::string low = clipped(column(slow)), high = clipped(column(fast));
+  const auto fill = [](const std::string& from, const std::string& to, const char* colour) {
+    return fmt::format("$law0 using 1:{}:{} with filledcurves fc rgb '{}' fs solid notitle", from,
+                       to, colour);
+  };
+  return fill(fmt::format("({})", range.low), low, below_fill) + ", " +
+         fill(low, high, between_fill) + ", " +
+         fill(high, fmt::format("({})", range.high), above_fill);
+}
+
+std::string curves(const DiskFigure& figure, const Range& range) {
+  std::string text;
+  for (const Labelled& thin : thin_contours(figure, range))
+    text += fmt::format(", $law0 using 1:{} with lines lw 0.5 lc rgb '#888888' notitle",
+                        column(contour_speeds[thin.speed]));
+  for (std::size_t law = figure.laws.size(); law-- > 0;)
+    for (const double speed : {slow, fast})
+      text +=
+          fmt::format(", $law{} using 1:{} with lines {} lc rgb '{}' notitle", law, column(speed),
+                      law == 0 ? solid : dashed, speed == slow ? slow_colour : fast_colour);
+  if (!figure.published.empty())
+    text += fmt::format(", $published using 1:2 with lines {} notitle", dotted);
+  return text;
+}
+
+std::string words(DragLaw law) {
+  return law == DragLaw::published ? "published drag" : "Weidenschilling''s drag";
+}
+
+/// Two columns of two: gnuplot's own key drops columns that it finds too wide.
+std::string key(const DiskFigure& figure) {
+  std::string text;
+  const auto entry = [&](int column, int row, const std::string& line, const std::string& title) {
+    const double x = 8 + 118 * column, y = height_pt - 17 - 9 * row;
+    text += fmt::format(
+        "set arrow from screen {},{} to screen {},{} nohead {}\n"
+        "set label '{}' at screen {},{} left font ',6'\n",
+        x / width_pt, y / height_pt, (x + 16) / width_pt, y / height_pt, line, title,
+        (x + 19) / width_pt, y / height_pt);
+  };
+  const std::string first = words(figure.laws[0].law);
+  entry(0, 0, fmt::format("{} lc rgb '{}'", solid, fast_colour), "40 cm/s, " + first);
+  entry(0, 1, fmt::format("{} lc rgb '{}'", solid, slow_colour), "15 cm/s, " + first);
+  if (!figure.published.empty()) entry(1, 0, dotted, "40 cm/s in the paper''s text");
+  if (figure.laws.size() > 1)
+    entry(1, 1, fmt::format("{} lc rgb '#555555'", dashed), "dashed: " + words(figure.laws[1].law));
+  return text;
+}
+
+/// The law asked for first; the other one too where both know the body.
+std::vector<DragLaw> laws_of(DragLaw law, const Body& body) {
+  if (!has_published_drag(body)) return {law};
+  return {law, law == DragLaw::published ? DragLaw::weidenschilling : DragLaw::published};
+}
+
+}  // namespace
+
+DiskFigure turbulence_figure(DragLaw law, const Body& body, double r_low, double r_high) {
+  const std::vector<double> r = contour_distances(r_low, r_high);
+  DiskFigure figure{
+      fmt::format("Speed of encounters (cm/s) in turbulence, bodies of {:g} m", body.radius),
+      "strength of turbulence α (no unit)",
+      1,
+      {},
+      {}};
+  for (const DragLaw one : laws_of(law, body)) figure.laws.push_back(alpha_contours(one, body, r));
+  if (has_published_drag(body)) {
+    constexpr double limit = 5e-4, bend_au = 20, end_au = 1000;
+    const double slope = (end_au / bend_au) * (end_au / bend_au);
+    figure.published = {{{astronomical_unit, limit},
+                         {bend_au * astronomical_unit, limit},
+                         {end_au * astronomical_unit, limit * slope}}};
+  }
+  return figure;
+}
+
+DiskFigure stirring_figure(DragLaw law, const Body& body, const Stirrers& stirrers, double r_low,
+                           double r_high) {
+  const std::vector<double> r = contour_distances(r_low, r_high);
+  DiskFigure figure{
+      fmt::format("Speed of encounters (cm/s) among larger bodies, bodies of {:g} m", body.radius),
+      "radius of large bodies R (km)",
+      1000,
+      {},
+      {}};
+  for (const DragLaw one : laws_of(law, body))
+    figure.laws.push_back(stirrer_contours(one, body, stirrers, r));
+  const Stirrers usual;
+  if (has_published_drag(body) && stirrers.solid_fraction == usual.solid_fraction &&
+      stirrers.density == usual.density)
+    figure.published = {{{0.85 * astronomical_unit, 2000}, {1.2 * astronomical_unit, 2000}},
+                        {{20 * astronomical_unit, 7000}, {1000 * astronomical_unit, 7000}}};
+  return figure;
+}
+
+std::string disk_script(const DiskFigure& figure) {
+  const Range y = decades(figure);
+  std::string text;
+  for (std::size_t law = 0; law < figure.laws.size(); ++law) text += contour_block(figure, law);
+  text += published_block(figure);
+  const Contours& first = figure.laws[0];
+  text += fmt::format(
+      "set encoding utf8\nunset key\nset border lw 0.5 front\nset tics out nomirror scale 0.5,0.25 "
+      "front\n"
+      "set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n"
+      "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\n"
+      "set bmargin at screen {}\n",
+      au(first.r.front()), au(first.r.back()), y.low, y.high, left_pt / width_pt,
+      1 - right_pt / width_pt, 1 - top_pt / height_pt, bottom_pt / height_pt);
+  text += fmt::format("set format y '{}'\n", y.low < 0.01 ? "10^{%T}" : "%g");
+  text += "set xlabel 'distance from the star r (AU)' offset 0,0.6\n";
+  text += fmt::format("set label '{}' at screen {},{} center rotate font ',7'\n", figure.y_label,
+                      6 / width_pt, (height_pt - top_pt + bottom_pt) / 2 / height_pt);
+  text += fmt::format("set label '{}' at screen {},{} left font ',7'\n", figure.title, 6 / width_pt,
+                      1 - 7 / height_pt);
+  return text + key(figure) + contour_labels(figure, y) + regimes(first) + "plot " + fills(y) +
+         curves(figure, y) + "\n";
+}
+
+void draw_disk(const std::filesystem::path& path, const DiskFigure& figure) {
+  run_gnuplot(gnuplot_terminal(path, width_pt, height_pt) + disk_script(figure), path);
+}
+
+}  // namespace eerie::disk

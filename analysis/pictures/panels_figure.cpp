@@ -1,0 +1,167 @@
+#include "analysis/pictures/panels_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/canvas.hpp"
+#include "analysis/gnuplot.hpp"
+#include "solver/base/error.hpp"
+
+namespace eerie {
+
+namespace {
+
+// All in points.
+constexpr double column_width = 255, page_width = 510;
+constexpr std::size_t most_in_column = 3, most_in_row = 5;
+constexpr double border = 3, gap = 3, stamp_height = 11, strip_height = 30;
+constexpr double longest_scale_bar = 90;
+constexpr int pixels_per_point = 5;
+constexpr Colour ink{0x22, 0x22, 0x22}, frame_grey{0x99, 0x99, 0x99};
+
+/// Where things are on the page.
+struct Page {
+  double width, height, panel;
+  std::size_t columns;
+
+  explicit Page(std::size_t panels) : width(page_width), height(0), panel(0), columns(panels) {
+    if (panels <= most_in_column) width = column_width;
+    const std::size_t rows = (panels + most_in_row - 1) / most_in_row;
+    columns = (panels + rows - 1) / rows;
+    const auto n = static_cast<double>(columns);
+    panel = std::floor((width - 2 * border - (n - 1) * gap) / n);
+    height = static_cast<double>(rows) * (panel + stamp_height) + strip_height;
+  }
+
+  Area area(std::size_t k) const {
+    const auto column = static_cast<double>(k % columns), row = static_cast<double>(k / columns);
+    const double top = height - stamp_height - row * (panel + stamp_height);
+    const double left = border + column * (panel + gap);
+    return {{left, top - panel}, {left + panel, top}};
+  }
+};
+
+/// "12,500 s"
+std::string time_stamp(double time) {
+  std::string digits = fmt::format("{:.0f}", time);
+  for (std::size_t from = digits.size(); from > 3 + (time < 0 ? 1u : 0u); from -= 3)
+    digits.insert(from - 3, ",");
+  return digits + " s";
+}
+
+/// 1, 2 or 5 times a power of ten, at most `length`.
+double round_length(double length) {
+  const double decade = std::pow(10, std::floor(std::log10(length)));
+  return (length >= 5 * decade ? 5 : length >= 2 * decade ? 2 : 1) * decade;
+}
+
+void draw_scale_bar(Canvas& canvas, const Page& page, double frame_width) {
+  const double longest = std::min(0.45 * page.panel, longest_scale_bar);
+  const double length = round_length(longest / page.panel * frame_width);
+  const double width = page.panel * length / frame_width, y = 14;
+  canvas.line({border, y}, {border + width, y}, ink, 1.6);
+  canvas.text({border + width / 2, y - 7},
+              length < 2000 ? fmt::format("{:g} m", length) : fmt::format("{:g} km", length / 1000),
+              {.size = 6.5, .colour = ink});
+}
+
+void draw_swatch(Canvas& canvas, double x, Colour colour, const char* words) {
+  canvas.fill({{x, 10}, {x + 7, 17}}, colour);
+  canvas.text({x + 10, 13.5}, words, {.size = 6.5, .colour = ink, .align = Align::left});
+}
+
+constexpr double bar_width = 110, bar_height = 6, bar_bottom = 12;
+double bar_left(const Page& page) { return page.width - border - 14 - bar_width; }
+
+/// In m, or in cm/s.
+std::string in_unit(const ColourScale& scale, double value) {
+  return fmt::format("{:g}", scale.colour == ParticleColour::speed ? 100 * value : value);
+}
+
+void draw_colour_bar(Canvas& canvas, const Page& page, const ColourScale& scale) {
+  const double left = bar_left(page);
+  canvas.outline({{left, bar_bottom}, {left + bar_width, bar_bottom + bar_height}}, ink, 0.4);
+  for (const double part : {0.0, 0.5, 1.0})
+    canvas.text(
+        {left + part * bar_width, bar_bottom - 6},
+        (part == 1 && scale.highest > scale.top ? "≥ " : "") + in_unit(scale, part * scale.top),
+        {.size = 6, .colour = ink});
+  canvas.text(
+      {left + bar_width / 2, bar_bottom + bar_height + 5},
+      scale.colour == ParticleColour::speed ? "speed in own clump (cm/s)" : "initial depth (m)",
+      {.size = 6.5, .colour = ink});
+}
+
+void draw_words(Canvas& canvas, const Page& page, const PanelsFigure& figure) {
+  for (std::size_t k = 0; k < figure.panels.size(); ++k) {
+    const Area area = page.area(k);
+    const Panel& panel = figure.panels[k];
+    // Images lie before lines: the frame is drawn round them.
+    canvas.outline({{area.low.x - 0.5, area.low.y - 0.5}, {area.high.x + 0.5, area.high.y + 0.5}},
+                   frame_grey, 0.5);
+    canvas.text({area.low.x + 1, area.high.y + 4.5}, time_stamp(panel.time),
+                {.size = 7, .colour = ink, .align = Align::left});
+    if (panel.outside > 0)
+      canvas.text({area.low.x + 3, area.low.y + 5},
+                  fmt::format("{} remnant{} outside", panel.outside, panel.outside > 1 ? "s" : ""),
+                  {.size = 6, .colour = ink, .align = Align::left});
+  }
+  draw_scale_bar(canvas, page, figure.frame_width);
+  if (figure.scale.colour == ParticleColour::body) {
+    draw_swatch(canvas, page.width - border - 90, target_colour, "target");
+    draw_swatch(canvas, page.width - border - 48, impactor_colour, "impactor");
+  } else {
+    draw_colour_bar(canvas, page, figure.scale);
+  }
+}
+
+/// Images and where they lie; gnuplot reads their bytes behind the command that draws them.
+struct Images {
+  std::string command, bytes;
+
+  void add(const Image& image, const Area& area) {
+    const double dx = area.width() / image.width, dy = area.height() / image.height;
+    command += fmt::format(
+        "{} '-' binary array=({},{}) format='%uchar' dx={} dy={} origin=({},{}) flipy using 1:2:3 "
+        "with rgbimage notitle",
+        command.empty() ? "plot" : ",", image.width, image.height, dx, dy, area.low.x + dx / 2,
+        area.low.y + dy / 2);
+    bytes.append(image.rgb.begin(), image.rgb.end());
+  }
+};
+
+}  // namespace
+
+int panel_pixels(std::size_t panels) {
+  return pixels_per_point * static_cast<int>(Page(panels).panel);
+}
+
+std::string panels_script(const PanelsFigure& figure) {
+  const Page page(figure.panels.size());
+  Canvas canvas(page.width, page.height);
+  draw_words(canvas, page, figure);
+  Images images;
+  for (std::size_t k = 0; k < figure.panels.size(); ++k)
+    images.add(figure.panels[k].image, page.area(k));
+  if (figure.scale.colour != ParticleColour::body) {
+    const double left = bar_left(page);
+    images.add(scale_image(static_cast<int>(2 * bar_width), 2),
+               {{left, bar_bottom}, {left + bar_width, bar_bottom + bar_height}});
+  }
+  return fmt::format(
+             "set encoding utf8\nunset key\nunset border\nunset tics\n"
+             "set lmargin at screen 0\nset rmargin at screen 1\nset tmargin at screen 1\n"
+             "set bmargin at screen 0\nset xrange [0:{}]\nset yrange [0:{}]\n",
+             page.width, page.height) +
+         canvas.commands() + images.command + "\n" + images.bytes;
+}
+
+void draw_panels(const std::filesystem::path& path, const PanelsFigure& figure) {
+  if (figure.panels.empty()) throw InputError(path.string() + ": there is nothing to draw");
+  const Page page(figure.panels.size());
+  run_gnuplot(gnuplot_terminal(path, page.width, page.height) + panels_script(figure), path);
+}
+
+}  // namespace eerie
