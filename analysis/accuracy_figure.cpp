@@ -14,7 +14,7 @@ namespace eerie {
 namespace {
 
 constexpr double width_pt = 510, panel_width_pt = 185, panel_height_pt = 130, left_pt = 38,
-                 top_pt = 16, between_pt = 34, between_columns_pt = 12;
+                 top_pt = 16, between_pt = 34, between_columns_pt = 12, legend_pt = 118;
 /// Okabe & Ito's colours, told apart in every common form of colour blindness; once they are used
 /// up the marks change.
 constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73",
@@ -55,6 +55,15 @@ std::string block(std::size_t panel, std::size_t series) {
   return fmt::format("$p{}s{}", panel, series);
 }
 
+/// 1, 2 and 5 times the powers of ten in between.
+std::string ticks(double low, double high) {
+  std::string list;
+  for (double decade = low; decade <= high * 1.001; decade *= 10)
+    for (const int step : {1, 2, 5})
+      list += fmt::format("{0}\"{1:g}\" {1:g}", list.empty() ? "" : ", ", step * decade);
+  return list;
+}
+
 std::string data_blocks(const AccuracyFigure& figure) {
   const AccuracyPoint& standard = default_point(figure);
   std::string text;
@@ -88,6 +97,27 @@ std::string data_blocks(const AccuracyFigure& figure) {
   return text;
 }
 
+/// How a series is drawn.
+struct Look {
+  std::string colour;
+  int mark;
+  double size;
+};
+Look look_of(const AccuracyFigure& figure, std::size_t s) {
+  if (figure.series[s].is_default) return {black, default_mark, 1.1};
+  return {colours[s % std::size(colours)], marks[(s / std::size(colours) + s) % std::size(marks)],
+          0.55};
+}
+
+/// The default lies on top.
+std::vector<std::size_t> drawing_order(const AccuracyFigure& figure) {
+  std::vector<std::size_t> order;
+  for (const bool standard : {false, true})
+    for (std::size_t s = 0; s < figure.series.size(); ++s)
+      if (figure.series[s].is_default == standard) order.push_back(s);
+  return order;
+}
+
 std::string panel_commands(const AccuracyFigure& figure, std::size_t p, double height_pt) {
   const auto column = static_cast<double>(p % 2), line = static_cast<double>(p / 2);
   const double left = left_pt + column * (panel_width_pt / 1.3 + between_columns_pt + left_pt);
@@ -101,21 +131,32 @@ std::string panel_commands(const AccuracyFigure& figure, std::size_t p, double h
   each_point(figure, [&](const AccuracyPoint& x) { errors.include(height(x.errors[p])); });
   text += fmt::format("set yrange [{}:{}]\nset ylabel 'error of {}' offset 1.8,0\n", errors.low / 2,
                       errors.high * 2, figure.panels[p]);
-  std::string curves = fmt::format("$p{}frontier using 1:2 with steps lw 3 lc rgb '#dddddd' {}", p,
-                                   p == 0 ? "title 'frontier'" : "notitle");
-  for (std::size_t s = 0; s < figure.series.size(); ++s) {
-    const AccuracySeries& series = figure.series[s];
-    const std::string colour = series.is_default ? black : colours[s % std::size(colours)];
-    const int mark =
-        series.is_default ? default_mark : marks[(s / std::size(colours) + s) % std::size(marks)];
+  std::string curves =
+      fmt::format("$p{}frontier using 1:2 with steps lw 3 lc rgb '#dddddd' notitle", p);
+  for (const std::size_t s : drawing_order(figure)) {
+    const Look look = look_of(figure, s);
     curves += fmt::format(
         ", {0}line using 1:2 with lines lw 0.4 lc rgb '{1}' notitle"
         ", {0} using 1:2:3:4 with yerrorbars pt {2} ps 0.01 lw 0.3 lc rgb '{1}' notitle"
-        ", {0} using 1:2 with points pt {2} ps {3} lw 1.2 lc rgb '{1}' {4}",
-        block(p, s), colour, mark, series.is_default ? 1.1 : 0.55,
-        p == 0 ? fmt::format("title '{}'", series.name) : "notitle");
+        ", {0} using 1:2 with points pt {2} ps {3} lw 1.2 lc rgb '{1}' notitle",
+        block(p, s), look.colour, look.mark, look.size);
   }
-  return text + "plot " + curves + "\nunset key\n";
+  return text + "plot " + curves + "\n";
+}
+
+/// The legend beside the panels: a plot of nothing, as high as the page.
+std::string legend_commands(const AccuracyFigure& figure) {
+  std::string curves = "1/0 with lines lw 3 lc rgb '#dddddd' title 'frontier'";
+  for (std::size_t s = 0; s < figure.series.size(); ++s) {
+    const Look look = look_of(figure, s);
+    curves += fmt::format(", 1/0 with points pt {} ps {} lw 1.2 lc rgb '{}' title '{}'", look.mark,
+                          look.size, look.colour, figure.series[s].name);
+  }
+  return fmt::format(
+      "set lmargin at screen {}\nset rmargin at screen 1\nset tmargin at screen 1\n"
+      "set bmargin at screen 0\nunset border\nunset tics\nunset xlabel\nunset ylabel\n"
+      "set key inside left top Left reverse samplen 1 spacing 1.1 font ',7'\nplot {}\n",
+      1 - legend_pt / width_pt, curves);
 }
 
 double height_of(const AccuracyFigure& figure) {
@@ -132,14 +173,14 @@ std::string accuracy_script(const AccuracyFigure& figure) {
   std::string text = data_blocks(figure);
   text += fmt::format(
       "set encoding utf8\nset border lw 0.5\nset bars 0\nset tics scale 0.5 font ',7'\n"
-      "set logscale xy\nset xrange [{}:{}]\nset format y '10^{{%T}}'\n"
+      "set logscale xy\nset xrange [{}:{}]\nset xtics ({})\nset ytics ({})\n"
       "set xlabel 'cost of an impact (core-seconds)' offset 0,0.7 font ',7'\n"
       "set ylabel font ',7'\n"
-      "set key at screen 0.995,{} top right Left reverse samplen 1 spacing 1.1 font ',7'\n"
+      "unset key\n"
       "set multiplot\n",
-      cost.low / 1.2, cost.high * 1.2, 1 - top_pt / height);
+      cost.low / 1.2, cost.high * 1.2, ticks(0.1, 1e6), ticks(1e-5, 10));
   for (std::size_t p = 0; p < figure.panels.size(); ++p) text += panel_commands(figure, p, height);
-  return text + "unset multiplot\n";
+  return text + legend_commands(figure) + "unset multiplot\n";
 }
 
 void draw_accuracy(const std::filesystem::path& path, const AccuracyFigure& figure) {
