@@ -15,6 +15,8 @@ constexpr const char* coarse = "sketch";
 constexpr const char* fine = "survey";
 /// So many runs of each impact at a time, and so many sketches at most.
 constexpr std::int64_t seeds_at_a_time = 2, most_sketches = 4;
+/// An impact is not called mixed by fewer surveys.
+constexpr std::size_t fewest_of_mixed = 4;
 /// Of b/a, before anything is known: the spread of seeds, and what a sketch may be off.
 constexpr double prior_deviation = 0.03, prior_scatter = 0.05;
 
@@ -91,6 +93,12 @@ void AutoFidelity::judge_all() {
   }
 }
 
+bool AutoFidelity::is_mixed(const AutoCell& cell) const {
+  return cell.survey.size() >= fewest_of_mixed &&
+         best_p_outcome(cell.survey, static_cast<std::size_t>(options_.most_seeds)) <
+             options_.confidence;
+}
+
 std::vector<Wanted> AutoFidelity::next() const {
   std::vector<Wanted> wanted;
   const auto ask = [&](const Scene& scene, bool survey, std::size_t done, std::int64_t most) {
@@ -99,7 +107,7 @@ std::vector<Wanted> AutoFidelity::next() const {
       wanted.push_back({with_seed(scene, seed), survey});
   };
   for (const AutoCell& cell : cells_) {
-    if (!in_doubt(cell)) continue;
+    if (!in_doubt(cell) || is_mixed(cell)) continue;
     // More sketches help where all that is lacking is their number.
     const double p = cell.verdict.p_elongated;
     const bool only_few =

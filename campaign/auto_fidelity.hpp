@@ -34,7 +34,8 @@ struct Wanted {
 
 /// Coarse first, finer only where in doubt: every impact is sketched with two seeds; where they
 /// agree, with two more; what they leave in doubt is surveyed, two seeds at a time, until the
-/// ensemble is as sure as asked or has most_seeds runs.
+/// ensemble is as sure as asked, has most_seeds runs, or cannot become sure with these: its classes
+/// are mixed, and that is the answer.
 class AutoFidelity {
  public:
   /// The same sweep with the settings of either fidelity. Throws InputError as expand() does, and
@@ -52,6 +53,8 @@ class AutoFidelity {
   bool in_doubt(const AutoCell& cell) const {
     return cell.fidelity.empty() || cell.verdict.in_doubt(options_.confidence);
   }
+  /// Whether no further surveys up to most_seeds could make it sure of a class.
+  bool is_mixed(const AutoCell& cell) const;
   /// Core-seconds of all runs that the verdicts made use of, by fidelity.
   std::map<std::string, double> core_seconds() const;
   /// The same for most_seeds surveys of every impact, from the mean of those that ran; 0 without

@@ -48,6 +48,11 @@ Verdict judge(std::span<const Sample> samples, double deviation, const Transfer&
   return verdict;
 }
 
+double best_p_outcome(std::span<const Sample> samples, std::size_t most) {
+  const double others = static_cast<double>(samples.size()) - leading(samples).second;
+  return (static_cast<double>(most) - others + 0.5) / (static_cast<double>(most) + 1);
+}
+
 double pooled_deviation(std::span<const std::vector<Sample>> ensembles, double prior) {
   double squares = prior_runs * prior * prior, freedom = prior_runs;
   for (const std::vector<Sample>& samples : ensembles) {

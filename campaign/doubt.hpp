@@ -41,6 +41,9 @@ inline constexpr double prior_runs = 4;
 /// is not elongated. `samples` must not be empty.
 Verdict judge(std::span<const Sample> samples, double deviation, const Transfer& transfer);
 
+/// p_outcome of `most` runs, were all that are still to come of the class that leads.
+double best_p_outcome(std::span<const Sample> samples, std::size_t most);
+
 /// Standard deviation of b/a about the mean of its ensemble, pooled over ensembles that agree on
 /// their class, with prior_runs runs' worth of `prior`.
 double pooled_deviation(std::span<const std::vector<Sample>> ensembles, double prior);

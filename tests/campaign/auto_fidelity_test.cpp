@@ -98,14 +98,18 @@ TEST(AutoFidelity, GoesOnlyWhereItIsInDoubt) {
   for (const double doubtful : {20.0, 22.0}) {
     const AutoCell& cell = cell_at(campaign, doubtful);
     EXPECT_EQ(cell.fidelity, "survey") << doubtful;
-    EXPECT_EQ(cell.survey.size(), 8u);
     EXPECT_TRUE(campaign.in_doubt(cell));
   }
+  EXPECT_EQ(cell_at(campaign, 20).survey.size(), 8u);
+  // Of four one is of another class: not even four more could make it nine in ten.
+  EXPECT_EQ(cell_at(campaign, 22).survey.size(), 4u);
+  EXPECT_TRUE(campaign.is_mixed(cell_at(campaign, 22)));
+  EXPECT_FALSE(campaign.is_mixed(cell_at(campaign, 20)));
   EXPECT_NEAR(cell_at(campaign, 20).verdict.p_elongated, 0.5, 0.2);
-  EXPECT_NEAR(cell_at(campaign, 22).verdict.p_outcome, 6.5 / 9, 1e-12);
+  EXPECT_NEAR(cell_at(campaign, 22).verdict.p_outcome, 3.5 / 5, 1e-12);
   const auto spent = campaign.core_seconds();
-  EXPECT_EQ(spent.at("survey"), 4 * 8 * 15);
-  EXPECT_LT(spent.at("sketch") + spent.at("survey"), 0.7 * 8 * 8 * 15);
+  EXPECT_EQ(spent.at("survey"), 2 * (8 + 4) * 15);
+  EXPECT_LT(spent.at("sketch") + spent.at("survey"), 0.5 * 8 * 8 * 15);
   EXPECT_EQ(campaign.uniform_core_seconds(), 8 * 8 * 15);
   EXPECT_THAT(auto_csv(campaign), HasSubstr("1,40,15,10,sketch,4,4,perfect-merging,0.900,"));
 }

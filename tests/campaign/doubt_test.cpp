@@ -29,6 +29,14 @@ TEST(Doubt, NeedsFourAlikeForNineInTen) {
   EXPECT_FALSE(judge(samples({0.5, 0.5, 0.5, 0.5}), 0.03, {}).in_doubt(0.9));
 }
 
+TEST(Doubt, KnowsWhenMoreRunsCannotHelp) {
+  std::vector<Sample> some = samples({0.5, 0.5, 0.5});
+  EXPECT_DOUBLE_EQ(best_p_outcome(some, 8), 8.5 / 9);
+  some.push_back({"hit-and-run", 0.5, 1});
+  EXPECT_DOUBLE_EQ(best_p_outcome(some, 8), 7.5 / 9);
+  EXPECT_DOUBLE_EQ(best_p_outcome(some, 4), judge(some, 0.03, {}).p_outcome);
+}
+
 TEST(Doubt, AsksWhetherOneMoreRunWouldBeElongatedByStudentsPrediction) {
   // One run at 0.25 with a known spread of 0.05 as four runs' worth of knowledge.
   const Verdict one = judge(samples({0.25}), 0.05, {});
