@@ -145,9 +145,10 @@ class Trial {
     if (late.size() < only().runs.size())
       f_.found += fmt::format("{}{} of {} runs last so long", late.empty() ? "" : "; ", late.size(),
                               only().runs.size());
-    f_.to_run = run_point(
-        fact_, only().at, first_seeds, settings_, database_,
-        fmt::format("--set end.time_s={:.0f} --set end.settled.window_s=0", claim.until_s));
+    f_.to_run = run_point(fact_, only().at, first_seeds, settings_, database_,
+                          fmt::format("--set end.time_s={:.0f} --set end.settled.window_s=0 --set "
+                                      "numerics.late_sound_speed=1",
+                                      claim.until_s));
   }
 
   void operator()(const SmallerIsEer&) {
