@@ -86,6 +86,13 @@ std::optional<double> quantity(const ImpactRun& run, const Fact& fact, const Num
   return run.period_h;
 }
 
+/// Is it about remnants other than the largest?
+bool of_smaller(const Claim& claim) {
+  if (const auto* number = std::get_if<NumberIs>(&claim)) return number->smaller;
+  return std::holds_alternative<SmallerIsEer>(claim) ||
+         std::holds_alternative<SmallerEersOnlyIn>(claim);
+}
+
 /// Tests one fact against runs of one kind of settings.
 class Trial {
  public:
@@ -105,6 +112,8 @@ class Trial {
     f_.settings = settings_;
     rest_on(cells_);
     std::visit(*this, fact_.claim);
+    if (of_smaller(fact_.claim) && settings_.particles_per_target < check_smaller_min_particles)
+      refuse_as_too_coarse();
     if (f_.runs == 0 && stiff_.empty() && only_missing()) f_.found.clear(), f_.difference.clear();
     if (f_.agreement == Agreement::agrees || f_.agreement == Agreement::disagrees)
       f_.to_run.clear();
@@ -327,6 +336,16 @@ class Trial {
   }
 
  private:
+  void refuse_as_too_coarse() {
+    f_.agreement = Agreement::not_enough;
+    f_.found = fmt::format("too few particles for small remnants: needs {} per target",
+                           check_smaller_min_particles);
+    f_.difference.clear(), f_.value.reset(), f_.low.reset(), f_.high.reset();
+    const RunSettings fine{check_smaller_min_particles, "survey", "survey"};
+    f_.to_run = fact_.point ? run_point(fact_, *fact_.point, first_seeds, fine, database_)
+                            : run_sweeps(fact_, fine, database_);
+  }
+
   bool only_missing() const {
     return std::ranges::all_of(cells_, [](const CheckCell& cell) { return cell.runs.empty(); });
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,10 @@ std::string_view name(Agreement agreement);
 inline constexpr double check_tolerance = 0.1;
 /// Numbers need this many runs, and so does an impact that contradicts the paper.
 inline constexpr std::size_t check_min_runs = 3;
+
+/// Facts about smaller remnants need so many particles per target, or the paper's own (0.24 target
+/// masses) would hardly be a remnant of 100 particles.
+inline constexpr std::int64_t check_smaller_min_particles = 1000;
 
 /// What a database says about a fact.
 struct Finding {

@@ -109,6 +109,15 @@ TEST(Check, FindsNumbersOfASmallerElongatedRemnant) {
   EXPECT_EQ(verdict("phi40-third-b-over-a", runs), agrees);
 }
 
+TEST(Check, AsksNoCoarseRunForSmallRemnants) {
+  std::vector<ImpactRun> runs = seeds_with({0.6, 0.6, 0.6});
+  for (ImpactRun& run : runs) run.v_imp_cm_per_s = 24, run.settings = {400, "sketch", "sketch"};
+  const Finding f = checked("phi40-third", runs);
+  EXPECT_EQ(f.agreement, not_enough);
+  EXPECT_THAT(f.found, HasSubstr("needs 1000 per target"));
+  EXPECT_THAT(f.to_run, HasSubstr("--fidelity survey"));
+}
+
 TEST(Check, BelievesThatThereIsNoneOnlyOfAWholeGrid) {
   std::vector<ImpactRun> runs =
       runs_of(fact_named("phi30-none"), [](const ImpactPoint&) { return run_with(0.5); });
