@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <map>
-#include <optional>
 
+#include "analysis/threshold.hpp"
 #include "campaign/job.hpp"
 #include "solver/base/error.hpp"
 
@@ -14,14 +14,6 @@ namespace eerie {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// v sin(theta) of the ridge of elongated remnants, cm/s, for equal bodies (Sugiura et al. 2019).
-std::optional<double> threshold(double q, double phi_d_deg) {
-  if (q != 1) return std::nullopt;
-  if (phi_d_deg == 40) return 5.1;
-  if (phi_d_deg == 50) return 7.4;
-  return std::nullopt;
-}
 
 PhaseCell cell(const db::MapPoint& p) {
   CellState state = CellState::pending;
@@ -58,7 +50,7 @@ std::vector<PhaseDiagram> phase_diagrams(const db::Connection& connection,
                           p.phi_d_deg,
                           p.particles_per_target,
                           p.v_imp_cm_per_s / p.v_over_v_esc,
-                          threshold(p.q, p.phi_d_deg),
+                          published_threshold(p.q, p.phi_d_deg),
                           {}});
     diagrams.back().cells.push_back(cell(p));
   }
@@ -73,7 +65,7 @@ std::vector<PhaseDiagram> phase_diagrams(const AutoFidelity& campaign) {
     PhaseDiagram& diagram = diagrams[{q, phi_d}];
     diagram.q = q, diagram.phi_d_deg = phi_d;
     diagram.v_esc_cm_per_s = 100 * mutual_escape_speed(s);
-    diagram.threshold_cm_per_s = threshold(q, phi_d);
+    diagram.threshold_cm_per_s = published_threshold(q, phi_d);
     PhaseCell cell{s.impact.v_imp_cm_per_s, s.impact.theta_imp_deg};
     if (!c.fidelity.empty()) {
       cell.state = CellState::done;

@@ -194,6 +194,16 @@ constexpr Command commands[] = {
      "  eerie map -o map.png\n"
      "  eerie map --q 1 --phi-d 50 -o map.pdf -o map.svg",
      add_map},
+    {"threshold", "Fit v sin(theta) = constant to where elongated remnants form",
+     "  eerie threshold\n"
+     "  eerie threshold --db fig2b.sqlite --q 1 --phi-d 40 -o ridge.svg\n"
+     "  eerie threshold --json",
+     add_threshold},
+    {"check", "Test what the paper says of impacts against a database",
+     "  eerie check\n"
+     "  eerie check --db fig2b.sqlite -o report.md\n"
+     "  eerie check --json",
+     add_check},
     {"converge", "Run impacts at rising particle numbers and draw how their results converge",
      "  eerie converge sweeps/studies/convergence.json --budget 2 -o convergence\n"
      "  eerie converge sweeps/studies/convergence.json --draw-only -o convergence",

@@ -20,6 +20,8 @@ Action add_show(CLI::App& app);
 Action add_doctor(CLI::App& app);
 Action add_converge(CLI::App& app);
 Action add_chart(CLI::App& app);
+Action add_threshold(CLI::App& app);
+Action add_check(CLI::App& app);
 Action add_disk(CLI::App& app);
 Action add_lightcurve(CLI::App& app);
 
