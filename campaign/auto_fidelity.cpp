@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "campaign/finished_run.hpp"
 #include "solver/base/error.hpp"
@@ -45,6 +46,14 @@ std::string point_of(const Scene& s) {
 
 AutoFidelity::AutoFidelity(const Sweep& sketch, const Sweep& survey, AutoOptions options)
     : options_(options) {
+  if (const auto n = static_cast<double>(options.most_seeds);
+      (n + 0.5) / (n + 1) < options.confidence)
+    throw InputError(
+        fmt::format("--confidence {:g}: {} runs of one class are no surer than {:.3f}; give "
+                    "--most-seeds {:.0f} or "
+                    "more, or ask for less",
+                    options.confidence, options.most_seeds, (n + 0.5) / (n + 1),
+                    std::ceil((options.confidence - 0.5) / (1 - options.confidence) - 1e-9)));
   for (const Axis& axis : sketch.axes)
     if (axis.path == "numerics.seed")
       throw InputError(fmt::format(

@@ -117,7 +117,7 @@ TEST(AutoFidelity, GoesOnlyWhereItIsInDoubt) {
 TEST(AutoFidelity, AsksForNothingThatItIsSureOf) {
   const test::TemporaryFolder folder;
   db::Connection connection(folder / "a.sqlite", db::Access::write);
-  AutoFidelity strict = new_campaign({0.95, 8}), easy = new_campaign({0.75, 8});
+  AutoFidelity strict = new_campaign({0.95, 16}), easy = new_campaign({0.75, 16});
   const std::size_t most = run_out(strict, connection, [](const Scene&) { return false; });
   const test::TemporaryFolder other;
   db::Connection second(other / "b.sqlite", db::Access::write);
@@ -146,6 +146,15 @@ TEST(AutoFidelity, EndsWhereRunsFail) {
   EXPECT_TRUE(campaign.cells().front().fidelity.empty());
   EXPECT_TRUE(campaign.in_doubt(campaign.cells().front()));
   EXPECT_FALSE(campaign.in_doubt(cell_at(campaign, 18)));
+}
+
+TEST(AutoFidelity, RefusesAConfidenceThatItsSeedsCannotGive) {
+  EXPECT_THAT(
+      [] {
+        new_campaign({0.95, 8});
+      },
+      ThrowsMessage<InputError>(HasSubstr("--most-seeds 9 or more")));
+  EXPECT_NO_THROW(new_campaign({0.95, 9}));
 }
 
 TEST(AutoFidelity, RefusesAGridOfSeeds) {
