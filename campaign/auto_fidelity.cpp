@@ -26,6 +26,12 @@ bool agree(const std::vector<Sample>& samples) {
                              [&](const Sample& s) { return s.outcome == samples.front().outcome; });
 }
 
+/// Whether surveys say what sketches say.
+bool bears_out(const Verdict& finer, const Verdict& sketched) {
+  return finer.outcome == sketched.outcome &&
+         (finer.p_elongated > 0.5) == (sketched.p_elongated > 0.5);
+}
+
 struct AutoRun {
   std::size_t cell = 0;
   bool survey = false;
@@ -89,16 +95,20 @@ void AutoFidelity::judge_all() {
     both.push_back({cell.sketch, cell.survey});
   }
   transfer_ = transfer_between(both, prior_scatter);
-  const double coarse_deviation = pooled_deviation(sketches, prior_deviation);
-  const double fine_deviation = pooled_deviation(surveys, prior_deviation);
+  const double coarse_deviation = typical_deviation(sketches, prior_deviation);
+  const double fine_deviation = typical_deviation(surveys, prior_deviation);
   for (AutoCell& cell : cells_) {
-    if (!cell.survey.empty()) {
-      cell.fidelity = fine;
-      cell.verdict = judge(cell.survey, fine_deviation, {});
-    } else if (!cell.sketch.empty()) {
+    if (!cell.sketch.empty()) {
       cell.fidelity = coarse;
       cell.verdict = judge(cell.sketch, coarse_deviation, transfer_);
     }
+    if (cell.survey.empty()) continue;
+    const Verdict finer = judge(cell.survey, fine_deviation, {});
+    // A survey more must not make a sure answer less sure.
+    const bool sure = !cell.sketch.empty() && !cell.verdict.in_doubt(options_.confidence);
+    if (sure && agree(cell.survey) && bears_out(finer, cell.verdict)) continue;
+    cell.fidelity = fine;
+    cell.verdict = finer;
   }
 }
 

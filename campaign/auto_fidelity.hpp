@@ -21,8 +21,9 @@ struct AutoOptions {
 struct AutoCell {
   Scene sketch_scene, survey_scene;
   std::vector<Sample> sketch, survey;
-  Verdict verdict;       ///< of the finest that has runs; nothing is known before the first
-  std::string fidelity;  ///< what the verdict rests on; empty before the first run
+  Verdict verdict;  ///< of the finest that has runs; nothing is known before the first
+  /// What the verdict rests on: surveys, or sketches that are sure and that no survey gainsays.
+  std::string fidelity;  ///< empty before the first run
   std::size_t seeds() const { return fidelity == "survey" ? survey.size() : sketch.size(); }
 };
 

@@ -53,15 +53,23 @@ double best_p_outcome(std::span<const Sample> samples, std::size_t most) {
   return (static_cast<double>(most) - others + 0.5) / (static_cast<double>(most) + 1);
 }
 
-double pooled_deviation(std::span<const std::vector<Sample>> ensembles, double prior) {
-  double squares = prior_runs * prior * prior, freedom = prior_runs;
+double typical_deviation(std::span<const std::vector<Sample>> ensembles, double prior) {
+  std::vector<std::pair<double, double>> deviations = {{prior, prior_runs}};  // and their weights
+  double weight = prior_runs;
   for (const std::vector<Sample>& samples : ensembles) {
     const Ensemble e = shapes(samples);
     if (e.runs < 2 || leading(samples).second < static_cast<double>(samples.size())) continue;
-    const auto more = static_cast<double>(e.runs - 1);
-    squares += more * e.deviation * e.deviation, freedom += more;
+    const auto freedom = static_cast<double>(e.runs - 1);
+    // The median of chi squared after Wilson & Hilferty (1931).
+    const double median = std::pow(1 - 2 / (9 * freedom), 1.5);
+    deviations.emplace_back(e.deviation / median, freedom);
+    weight += freedom;
   }
-  return std::sqrt(squares / freedom);
+  std::ranges::sort(deviations);
+  double below = 0;
+  for (const auto& [deviation, freedom] : deviations)
+    if ((below += freedom) >= weight / 2) return deviation;
+  return prior;
 }
 
 Transfer transfer_between(std::span<const Both> impacts, double prior) {

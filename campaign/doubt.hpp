@@ -44,9 +44,11 @@ Verdict judge(std::span<const Sample> samples, double deviation, const Transfer&
 /// p_outcome of `most` runs, were all that are still to come of the class that leads.
 double best_p_outcome(std::span<const Sample> samples, std::size_t most);
 
-/// Standard deviation of b/a about the mean of its ensemble, pooled over ensembles that agree on
-/// their class, with prior_runs runs' worth of `prior`.
-double pooled_deviation(std::span<const std::vector<Sample>> ensembles, double prior);
+/// Standard deviation of b/a about the mean of its ensemble: the median over ensembles that agree
+/// on their class, by their degrees of freedom, with prior_runs' worth of `prior`. The median,
+/// since spreads differ tenfold from impact to impact, and a mean square would be that of the
+/// widest.
+double typical_deviation(std::span<const std::vector<Sample>> ensembles, double prior);
 
 /// From impacts that both fidelities have runs of, with prior_runs runs' worth of no shift and the
 /// scatter of `prior`.

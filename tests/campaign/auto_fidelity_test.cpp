@@ -136,6 +136,25 @@ TEST(AutoFidelity, TakesResultsThatAreThereAndGoesOnFromThem) {
   EXPECT_EQ(auto_csv(again), auto_csv(first));
 }
 
+TEST(AutoFidelity, IsNoLessSureForASurveyThatSaysTheSame) {
+  const test::TemporaryFolder folder;
+  db::Connection connection(folder / "a.sqlite", db::Access::write);
+  AutoFidelity campaign = new_campaign();
+  run_out(campaign, connection, [](const Scene&) { return false; });
+  const AutoCell clear = cell_at(campaign, 15);
+  ASSERT_EQ(clear.fidelity, "sketch");
+  const db::NewJob job = new_job(clear.survey_scene);
+  const std::int64_t sweep = db::add_sweep(connection, "more", "{}", std::vector{job}).sweep;
+  const std::int64_t id = db::jobs(connection, {sweep}).front().id;
+  db::begin_attempts(connection, std::vector{db::Start{id, "here", "", "1"}});
+  db::finish(connection, id, test::ended(db::ExitReason::finished), outcome_of(clear.survey_scene),
+             {});
+  campaign.update(connection);
+  EXPECT_EQ(cell_at(campaign, 15).survey.size(), 1u);
+  EXPECT_EQ(cell_at(campaign, 15).fidelity, "sketch");
+  EXPECT_TRUE(campaign.next().empty());
+}
+
 TEST(AutoFidelity, EndsWhereRunsFail) {
   const test::TemporaryFolder folder;
   db::Connection connection(folder / "a.sqlite", db::Access::write);

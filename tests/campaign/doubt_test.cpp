@@ -67,15 +67,19 @@ TEST(Doubt, CallsAnImpactWithoutARemnantNotElongated) {
   EXPECT_LT(judge(none, 0.03, {}).p_elongated, 1.0 / 3);
 }
 
-TEST(Doubt, PoolsSpreadsOfEnsemblesThatAgreeOnTheirClass) {
-  std::vector<std::vector<Sample>> ensembles = {
-      samples({0.2, 0.3})};  // squares about the mean 0.005
-  const double expected = std::sqrt((4 * 0.03 * 0.03 + 0.005) / 5);
-  EXPECT_NEAR(pooled_deviation(ensembles, 0.03), expected, 1e-12);
-  ensembles.push_back(samples({0.2, 0.9}));
-  ensembles.back()[1].outcome = "hit-and-run";  // two kinds of impact have no common spread
-  EXPECT_NEAR(pooled_deviation(ensembles, 0.03), expected, 1e-12);
-  EXPECT_DOUBLE_EQ(pooled_deviation({}, 0.03), 0.03);
+TEST(Doubt, TakesTheTypicalSpreadOfEnsemblesThatAgreeOnTheirClass) {
+  EXPECT_DOUBLE_EQ(typical_deviation({}, 0.03), 0.03);
+  // Two runs 0.02 apart: 0.01 sqrt(2), of which a sample of two shows 0.68 in the median.
+  const double expected = 0.02 / std::sqrt(2) / std::pow(7.0 / 9, 1.5);
+  std::vector<std::vector<Sample>> ensembles(9, samples({0.3, 0.32}));
+  EXPECT_NEAR(typical_deviation(ensembles, 0.03), expected, 1e-12);
+  // A few that scatter widely do not change what is typical, nor do impacts of two kinds.
+  for (int k = 0; k < 3; ++k) ensembles.push_back(samples({0.3, 0.9}));
+  for (int k = 0; k < 20; ++k) {
+    ensembles.push_back(samples({0.2, 0.9}));
+    ensembles.back()[1].outcome = "hit-and-run";
+  }
+  EXPECT_NEAR(typical_deviation(ensembles, 0.03), expected, 1e-12);
 }
 
 TEST(Doubt, LearnsHowCoarseStandsToFineFromWhatHasBoth) {
