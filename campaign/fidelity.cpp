@@ -43,6 +43,9 @@ std::vector<std::string> overrides_of_fidelity(const std::string& name) {
                                       value.is_string() ? value.get<std::string>() : value.dump()));
     return overrides;
   }
+  if (name == "auto")
+    throw InputError(
+        fmt::format("--fidelity auto: only `eerie run` chooses by itself; give one of {}", names));
   throw InputError(fmt::format("--fidelity {}: must be one of {}, auto", name, names));
 }
 

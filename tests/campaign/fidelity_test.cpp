@@ -63,6 +63,11 @@ TEST(Fidelity, ThatIsNoneIsBadInputThatNamesThoseThereAre) {
                   HasSubstr("--fidelity fine: must be one of sketch, survey, paper")));
 }
 
+TEST(Fidelity, AutoIsNoneOfThem) {
+  EXPECT_THAT([] { overrides_of_fidelity("auto"); },
+              ThrowsMessage<InputError>(HasSubstr("only `eerie run` chooses by itself")));
+}
+
 TEST(Fidelity, IsRefusedWhereTheGridVariesItsFields) {
   const json sweep = {{"name", "s"}, {"grid", {{"numerics.particles_per_target", {500, 1000}}}}};
   EXPECT_THAT([&] { parse_sweep(sweep, overrides_of_fidelity("sketch"), "s.json"); },
