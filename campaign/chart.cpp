@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "campaign/csv.hpp"
 #include "campaign/ensemble.hpp"
 
 namespace eerie {
@@ -149,12 +150,6 @@ void mark_frontier(std::vector<ChartPoint>& points) {
   }
 }
 
-std::string quoted(std::string text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 }  // namespace
 
 std::vector<ChartPoint> chart_points(const ChartStudy& study,
@@ -195,12 +190,12 @@ std::string chart_csv(const ChartStudy& study, const std::vector<ChartPoint>& po
       "period_relative_noise,class_agreement,p_eer_error,frontier,cost_over_frontier,set\n";
   for (const ChartPoint& p : points) {
     const ChartStudy::Setting& s = study.settings[p.setting];
-    csv += fmt::format("{},{},{},{:.4g},{:.4g}", quoted(s.knob), quoted(s.label), p.runs,
+    csv += fmt::format("{},{},{},{:.4g},{:.4g}", csv_quoted(s.knob), csv_quoted(s.label), p.runs,
                        p.core_seconds, p.particle_steps);
     for (const Deviation& d : {p.b_over_a, p.c_over_a, p.m_1, p.period})
       csv += fmt::format(",{:.3g},{:.3g}", d.error, d.noise);
     csv += fmt::format(",{:.3g},{:.3g},{},{:.3g},{}\n", p.class_agreement, p.p_eer_error,
-                       p.frontier ? 1 : 0, p.cost_over_frontier, quoted(s.set.dump()));
+                       p.frontier ? 1 : 0, p.cost_over_frontier, csv_quoted(s.set.dump()));
   }
   return csv;
 }
@@ -214,7 +209,7 @@ std::string chart_runs_csv(const ChartStudy& study, const std::vector<ChartResul
     const ChartStudy::Setting& s = study.settings[r.run.setting];
     const db::Result& x = r.row.result;
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6g},{:.4g},{},{}\n",
-                       quoted(s.knob), quoted(s.label), study.cases[r.run.case_index].name,
+                       csv_quoted(s.knob), csv_quoted(s.label), study.cases[r.run.case_index].name,
                        r.run.seed, x.outcome_class, x.settled ? 1 : 0, text(x.ended_at_s),
                        x.end_reason, text(largest_mass(r)), text(x.b_over_a), text(x.c_over_a),
                        text(x.period_h), x.n_eer, text(x.dL_over_L), x.particle_steps,

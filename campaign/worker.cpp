@@ -83,6 +83,19 @@ class ProgressWriter {
   std::chrono::steady_clock::time_point last_{};
 };
 
+/// The remnants of the state that was asked about last: one look asks more than one question.
+class LatestRemnants {
+ public:
+  const Remnants& of(const State& state) {
+    if (state.time != time_) found_ = find_remnants(state), time_ = state.time;
+    return found_;
+  }
+
+ private:
+  double time_ = -1;
+  Remnants found_;
+};
+
 /// Everything that a row of the history says of a state.
 HistoryRow full_row(const Snapshot& snapshot, const Totals& start) {
   HistoryRow row = history_row(snapshot.state.time, analyse(snapshot));
@@ -190,12 +203,13 @@ Computed compute(const Scene& scene, const fs::path& directory, int threads, lon
   options.on_history = [&](const Snapshot& snapshot, const Totals& start) {
     history.add({full_row(snapshot, start)});
   };
-  options.will_meet = [](const Snapshot& snapshot) {
-    return will_meet(find_remnants(snapshot.state).remnants);
+  LatestRemnants latest;
+  options.will_meet = [&](const Snapshot& snapshot) {
+    return will_meet(latest.of(snapshot.state).remnants);
   };
   Series<RemnantLook> looks(JobDirectory{directory}.remnants());
   options.settled = [&](const Snapshot& snapshot) {
-    const Remnants found = find_remnants(snapshot.state);
+    const Remnants& found = latest.of(snapshot.state);
     looks.add(look(snapshot.state.time, found, scene.end.settled));
     const double mass = snapshot.state.mass * static_cast<double>(snapshot.state.size());
     return encounters(found, mass, horizon(scene.end, snapshot.state.time), scene.end.settled)
@@ -203,7 +217,7 @@ Computed compute(const Scene& scene, const fs::path& directory, int threads, lon
            unsteadiness(looks.rows(), scene.end.settled).empty();
   };
   options.calm = [&](const Snapshot& snapshot) {
-    return liveliness(looks.rows(), find_remnants(snapshot.state),
+    return liveliness(looks.rows(), latest.of(snapshot.state),
                       horizon(scene.end, snapshot.state.time),
                       scene.numerics.late_sound_speed * bulk_sound_speed(scene), scene.end.settled)
         .empty();

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "campaign/cli/text_table.hpp"
+#include "campaign/csv.hpp"
 
 namespace eerie::cli {
 using db::ResultRow;
@@ -64,11 +65,9 @@ std::string csv_field(const json& value) {
   if (value.is_null()) return "";
   if (!value.is_string())
     return value.is_boolean() ? (value.get<bool>() ? "1" : "0") : value.dump();
-  std::string text = value.get<std::string>();
+  const std::string text = value.get<std::string>();
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
+  return csv_quoted(text);
 }
 
 std::string number(const std::optional<double>& value, int digits) {

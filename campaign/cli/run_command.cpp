@@ -94,8 +94,6 @@ void print_report(const db::Connection& connection, const RunArguments& a, std::
   for (const fs::path& picture : pictures) fmt::print("map:      {}\n", picture.string());
 }
 
-}  // namespace
-
 /// Options of --fidelity auto say nothing without it.
 void require_fixed_fidelity(const RunArguments& a) {
   for (const auto& [given, option] :
@@ -105,6 +103,8 @@ void require_fixed_fidelity(const RunArguments& a) {
       throw InputError(
           fmt::format("{} needs --fidelity auto; add that, or leave {} out", option, option));
 }
+
+}  // namespace
 
 int run(const RunArguments& a) {
   if (a.changes.fidelity == "auto") return run_auto(a);

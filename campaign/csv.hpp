@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace eerie {
+
+/// A field of a CSV file in quotation marks, those within it doubled (RFC 4180).
+inline std::string csv_quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+}  // namespace eerie
