@@ -54,7 +54,8 @@ TEST(Fidelity, OfThePaperIsThePapers) {
   EXPECT_EQ(paper.numerics.particles_per_target, 50000);
   EXPECT_EQ(paper.numerics.scheme, "libersky-petschek-2018");
   EXPECT_EQ(paper.end.time_s, 1e5);
-  EXPECT_EQ(paper.end.settled.window_s, 0);
+  EXPECT_EQ(paper.end.settled.window_s, 4000);
+  EXPECT_EQ(paper.end.settled.shape, 0.0015);
 }
 
 TEST(Fidelity, ThatIsNoneIsBadInputThatNamesThoseThereAre) {
