@@ -61,9 +61,20 @@ Analysis analyse(const Snapshot& snapshot, bool separated_after_contact) {
   return analysis;
 }
 
+Analysis analyse_in_detail(const Snapshot& snapshot, const Snapshot* first,
+                           bool separated_after_contact) {
+  Analysis analysis = analyse(snapshot, separated_after_contact);
+  const auto depths = first != nullptr ? initial_depths(*first) : std::vector<double>{};
+  analysis.details = describe_remnants(snapshot, analysis.remnants, depths);
+  return analysis;
+}
+
 nlohmann::json to_json(const Analysis& analysis) {
   nlohmann::json remnants = nlohmann::json::array();
-  for (const Remnant& remnant : analysis.remnants) remnants.push_back(to_json(remnant));
+  for (std::size_t k = 0; k < analysis.remnants.size(); ++k) {
+    remnants.push_back(to_json(analysis.remnants[k]));
+    if (!analysis.details.empty()) remnants.back().update(to_json(analysis.details[k]));
+  }
   return {{"outcome",
            {{"class", name(analysis.outcome)},
             {"m_lr_over_m_total", analysis.m_lr_over_m_total},

@@ -159,4 +159,9 @@ HullBox box_of_hull(std::span<const Vec3> x, double radius) {
   return measured(x, radius, best.axes);
 }
 
+double particle_radius(const Snapshot& snapshot) {
+  const double volume = snapshot.state.mass / snapshot.scene.material.rho0_kg_per_m3;
+  return std::cbrt(3 * volume / (4 * pi));
+}
+
 }  // namespace eerie

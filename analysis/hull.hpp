@@ -4,6 +4,7 @@
 #include <span>
 
 #include "solver/base/vec3.hpp"
+#include "solver/io/snapshot.hpp"
 
 namespace eerie {
 
@@ -26,5 +27,9 @@ struct HullBox {
 /// that there is no better one. All lengths are 0 without points. O(N), with a constant of
 /// thousands.
 HullBox box_of_hull(std::span<const Vec3> x, double radius = 0);
+
+/// Radius of the sphere that holds a particle's share of the material at rest, m: how far matter
+/// reaches beyond the particles' centres, how large they are drawn, what shadow they cast.
+double particle_radius(const Snapshot& snapshot);
 
 }  // namespace eerie

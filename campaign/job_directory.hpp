@@ -22,6 +22,8 @@ struct JobDirectory {
   std::filesystem::path failure() const { return path / "failure.json"; }
   std::filesystem::path history() const { return path / "history.csv"; }
   std::filesystem::path remnants() const { return path / "remnants.csv"; }
+  std::filesystem::path first_snapshot() const { return path / "snapshot_0000.hdf5"; }
+  std::filesystem::path final_snapshot() const { return path / "final.hdf5"; }
   std::filesystem::path checkpoint() const { return path / "checkpoint.hdf5"; }
   std::filesystem::path previous_checkpoint() const { return path / "checkpoint_previous.hdf5"; }
   std::filesystem::path log() const { return path / "log.txt"; }

@@ -40,6 +40,10 @@ db::Remnant remnant_row(const json& m) {
   row.vx_m_per_s = optional_value<double>(m, "vx_m_per_s");
   row.vy_m_per_s = optional_value<double>(m, "vy_m_per_s");
   row.vz_m_per_s = optional_value<double>(m, "vz_m_per_s");
+  if (!m.contains("shape_class")) return row;  // written before there were details
+  m.at("shape_class").get_to(row.shape_class);
+  for (std::size_t k = 0; k < db::remnant_detail_columns.size(); ++k)
+    row.details[k] = optional_value<double>(m, db::remnant_detail_columns[k]);
   return row;
 }
 

@@ -18,6 +18,7 @@
 #include "campaign/json_file.hpp"
 #include "campaign/log.hpp"
 #include "campaign/provenance.hpp"
+#include "campaign/reanalysis.hpp"
 #include "campaign/result_file.hpp"
 #include "campaign/signals.hpp"
 #include "campaign/worker_lock.hpp"
@@ -226,8 +227,7 @@ Computed compute(const Scene& scene, const fs::path& directory, int threads, lon
   options.on_note = [](const std::string& note) { spdlog::info("{}", note); };
   Computed computed;
   computed.summary = run_impact(scene, options);
-  computed.analysis =
-      analyse(computed.summary.last, separated_after_contact(history.rows(), scene.impact.q));
+  computed.analysis = analyse_run(JobDirectory{directory}, computed.summary.last, history.rows());
   return computed;
 }
 

@@ -10,6 +10,7 @@
 
 #include "db/bind.hpp"
 #include "db/error.hpp"
+#include "db/job_results.hpp"
 
 namespace eerie::db {
 using namespace std::string_literals;
@@ -83,37 +84,6 @@ void close_attempt(SQLite::Database& sql, std::int64_t job, const AttemptEnd& en
            null_if_empty(end.message), end.core_seconds, end.particle_steps, end.peak_memory_bytes,
            null_if_empty(end.host), end.pid, job);
   update.exec();
-}
-
-void insert_result(SQLite::Database& sql, std::int64_t job, const Result& r) {
-  SQLite::Statement insert(sql, R"(INSERT OR REPLACE INTO job_results
-      (job_id, class, m_lr_over_m_total, m_slr_over_m_total, b_over_a, c_over_a, period_h, eer,
-       n_eer, n_remnants, settled, unsettled_reason, dL_over_L, steps, particle_steps, wall_s,
-       threads, solver_version, host, ended_at_s, end_reason)
-      VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?))");
-  bind_all(insert, job, r.outcome_class, r.m_lr_over_m_total, r.m_slr_over_m_total, r.b_over_a,
-           r.c_over_a, r.period_h, int{r.eer}, r.n_eer, r.n_remnants, int{r.settled},
-           null_if_empty(r.unsettled_reason), r.dL_over_L, r.steps, r.particle_steps, r.wall_s,
-           r.threads, r.solver_version, r.host, r.ended_at_s, null_if_empty(r.end_reason));
-  insert.exec();
-}
-
-void insert_remnants(SQLite::Database& sql, std::int64_t job, std::span<const Remnant> remnants) {
-  SQLite::Statement clear(sql, "DELETE FROM job_remnants WHERE job_id = ?");
-  bind_all(clear, job);
-  clear.exec();
-  SQLite::Statement insert(sql, R"(INSERT INTO job_remnants
-      (job_id, rank, particles, mass_kg, mass_over_total, a_m, b_m, c_m, b_over_a, c_over_a,
-       spin_period_h, eer, target_fraction, bound_group, bound_mass_over_total,
-       x_m, y_m, z_m, vx_m_per_s, vy_m_per_s, vz_m_per_s)
-      VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?))");
-  for (const Remnant& m : remnants) {
-    bind_all(insert, job, m.rank, m.particles, m.mass_kg, m.mass_over_total, m.a_m, m.b_m, m.c_m,
-             m.b_over_a, m.c_over_a, m.spin_period_h, int{m.eer}, m.target_fraction, m.bound_group,
-             m.bound_mass_over_total, m.x_m, m.y_m, m.z_m, m.vx_m_per_s, m.vy_m_per_s,
-             m.vz_m_per_s);
-    insert.exec();
-  }
 }
 
 }  // namespace

@@ -92,6 +92,9 @@ Remnant remnant_row(SQLite::Statement& select) {
   m.vx_m_per_s = number(column("vx_m_per_s"));
   m.vy_m_per_s = number(column("vy_m_per_s"));
   m.vz_m_per_s = number(column("vz_m_per_s"));
+  m.shape_class = column("shape_class").getString();
+  for (std::size_t k = 0; k < remnant_detail_columns.size(); ++k)
+    m.details[k] = number(column(remnant_detail_columns[k]));
   return m;
 }
 

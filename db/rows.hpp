@@ -76,6 +76,29 @@ struct Result {
   std::string end_reason = {};            ///< empty: not noted
 };
 
+/// Numbers that tell more of a remnant than its class needs (analysis/remnant_details.hpp), by the
+/// names of their columns; result.json has the same names.
+inline constexpr std::array<const char*, 18> remnant_detail_columns = {
+    "neck",
+    "box_a_m",
+    "box_b_m",
+    "box_c_m",
+    "box_b_over_a",
+    "bulk_density_kg_per_m3",
+    "spin_axis_x",
+    "spin_axis_y",
+    "spin_axis_z",
+    "spin_tilt_deg",
+    "origin_depth_mean_m",
+    "origin_depth_p10_m",
+    "origin_depth_p90_m",
+    "orbit_pericentre_m",
+    "orbit_eccentricity",
+    "orbit_semi_major_axis_m",
+    "orbit_period_h",
+    "orbit_v_inf_m_per_s",
+};
+
 /// A row of `job_remnants`.
 struct Remnant {
   int rank = 0;
@@ -89,6 +112,8 @@ struct Remnant {
   std::optional<double> bound_mass_over_total = {};
   std::optional<double> x_m = {}, y_m = {}, z_m = {}, vx_m_per_s = {}, vy_m_per_s = {},
                         vz_m_per_s = {};
+  std::string shape_class = {};  ///< empty: not told
+  std::array<std::optional<double>, remnant_detail_columns.size()> details = {};
 };
 
 }  // namespace eerie::db

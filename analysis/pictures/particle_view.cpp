@@ -88,28 +88,6 @@ Colour colour_of(double value, const ColourScale& scale) {
 
 }  // namespace
 
-double particle_radius(const Snapshot& snapshot) {
-  const double volume = snapshot.state.mass / snapshot.scene.material.rho0_kg_per_m3;
-  return std::cbrt(3 * volume / (4 * pi));
-}
-
-std::vector<double> initial_depths(const Snapshot& first) {
-  const State& state = first.state;
-  std::array<Vec3, 2> centre{};
-  std::array<double, 2> particles{};
-  for (std::size_t i = 0; i < state.size(); ++i)
-    centre[state.body[i]] += state.x[i], particles[state.body[i]] += 1;
-  for (std::size_t body = 0; body < 2; ++body)
-    centre[body] = centre[body] / std::max(particles[body], 1.0);
-  const std::array<double, 2> radius{first.scene.target.radius_m, impactor_radius(first.scene)};
-  std::vector<double> depth(state.size());
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const std::size_t body = state.body[i];
-    depth[state.id[i]] = std::max(0.0, radius[body] - norm(state.x[i] - centre[body]));
-  }
-  return depth;
-}
-
 ParticleView particle_view(const Snapshot& snapshot, ParticleColour colour,
                            std::span<const double> depths, bool cut) {
   const State& state = snapshot.state;

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/hull.hpp"
+#include "analysis/origin.hpp"
 #include "analysis/pictures/image.hpp"
 #include "solver/io/snapshot.hpp"
 
@@ -17,14 +19,6 @@ enum class ParticleColour {
   depth,  ///< below the surface of its own body at the start, m
   speed   ///< relative to the centre of mass of its clump, m/s
 };
-
-/// Radius of the sphere that holds a particle's share of the material at rest, m: how large
-/// particles are drawn, and what shadow they cast.
-double particle_radius(const Snapshot& snapshot);
-
-/// Depth of every particle, by its id, in the first snapshot of a run: radius of its body less
-/// distance from the body's centre of mass, m; 0 outside.
-std::vector<double> initial_depths(const Snapshot& first);
 
 /// What a snapshot has to show, seen against the orbital angular momentum: x to the right, y up,
 /// z towards the eye (orbits lie in the x-y plane, solver/initial/orbit.hpp).

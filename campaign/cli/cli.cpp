@@ -66,13 +66,6 @@ Action add_solve(CLI::App& app) {
   return [a] { return solve(*a); };
 }
 
-Action add_analyse(CLI::App& app) {
-  auto a = std::make_shared<AnalyseArguments>();
-  app.add_option("SNAPSHOT", a->snapshot, "snapshot file (.hdf5)")->required();
-  add_json(app, a->json);
-  return [a] { return analyse(*a); };
-}
-
 Action add_query(CLI::App& app) {
   auto a = std::make_shared<QueryArguments>();
   add_database(app, a->database);
@@ -136,9 +129,11 @@ constexpr Command commands[] = {
      "  eerie solve scene.json --out impact\n"
      "  eerie solve scene.json --out impact --set impact.theta_imp_deg=20 --max-steps 1000",
      add_solve},
-    {"analyse", "Find remnants, shapes, spins and outcome class of a snapshot",
+    {"analyse",
+     "Find remnants, shapes, spins and outcome class of a snapshot, or of a database again",
      "  eerie analyse impact/snapshot_0000.hdf5\n"
-     "  eerie analyse impact/snapshot_0000.hdf5 --json",
+     "  eerie analyse impact/snapshot_0000.hdf5 --json\n"
+     "  eerie analyse --db eerie.sqlite",
      add_analyse},
     {"daemon", "Work on whatever is submitted to a database, until told to stop",
      "  eerie daemon --db campaign.sqlite\n"

@@ -6,6 +6,7 @@ namespace eerie::cli {
 
 // Each adds one command's options to its part of the command line and gives what it does.
 
+Action add_analyse(CLI::App& app);
 Action add_daemon(CLI::App& app);
 Action add_submit(CLI::App& app);
 Action add_pause(CLI::App& app);

@@ -45,12 +45,6 @@ struct SolveArguments {
 };
 int solve(const SolveArguments& arguments);
 
-struct AnalyseArguments {
-  std::filesystem::path snapshot;
-  bool json = false;
-};
-int analyse(const AnalyseArguments& arguments);
-
 struct QueryArguments {
   std::filesystem::path database;
   std::optional<double> q, phi_d_deg;

@@ -1,11 +1,10 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "campaign/cli/command_list.hpp"
+#include "campaign/cli/progress_line.hpp"
 #include "campaign/doctor.hpp"
 #include "db/lock.hpp"
 #include "solver/base/error.hpp"
@@ -21,12 +20,8 @@ struct DoctorArguments {
   bool fix = false, json = false;
 };
 
-/// Told on a terminal, every few hundred jobs.
 void show_examined(std::size_t done, std::size_t total) {
-  if (::isatty(STDERR_FILENO) == 0 || (done % 200 != 0 && done != total)) return;
-  fmt::print(stderr, "\r\033[Kexamined {} of {} jobs", done, total);
-  if (done == total) fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
+  if (done % 200 == 0 || done == total) show_count("examined", done, total);
 }
 
 std::vector<Finding> findings_of(const DoctorArguments& a) {

@@ -2,9 +2,43 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "campaign/cli/text_table.hpp"
 
 namespace eerie::cli {
+namespace {
+
+/// "r_p 250 m, e 0.40, 3.2 h" of a bound remnant, "r_p 250 m, v_inf 3.1 cm/s" of an unbound one.
+std::string orbit_text(const std::optional<Orbit>& orbit) {
+  if (!orbit) return "-";
+  const std::string text =
+      fmt::format("r_p {:.0f} m, e {:.2f}", orbit->pericentre, orbit->eccentricity);
+  return orbit->bound() ? text
+                        : text + fmt::format(", v_inf {:.1f} cm/s",
+                                             100 * std::sqrt(2 * orbit->specific_energy));
+}
+
+std::string details_table(const Analysis& a) {
+  std::vector<std::vector<std::string>> rows = {{"remnant", "shape", "neck", "box m", "box b/a",
+                                                 "kg/m^3", "spin tilt deg", "from depth m",
+                                                 "orbit about remnant 1"}};
+  for (std::size_t k = 0; k < a.details.size(); ++k) {
+    const RemnantDetails& d = a.details[k];
+    rows.push_back(
+        {fmt::format("{}", k + 1), std::string(name(d.shape_class)), fmt::format("{:.2f}", d.neck),
+         fmt::format("{:.0f} x {:.0f} x {:.0f}", d.box.a, d.box.b, d.box.c),
+         fmt::format("{:.3f}", d.box.b_over_a()), fmt::format("{:.0f}", d.bulk_density),
+         d.tilt ? fmt::format("{:.0f}", *d.tilt) : "-",
+         d.depth
+             ? fmt::format("{:.0f} ({:.0f} to {:.0f})", d.depth->mean, d.depth->p10, d.depth->p90)
+             : "-",
+         orbit_text(d.orbit)});
+  }
+  return text_table(rows);
+}
+
+}  // namespace
 
 std::string outcome_text(const Analysis& a) {
   std::string text = fmt::format("{}: M_lr/M = {:.3f}, M_slr/M = {:.3f}\n", name(a.outcome),
@@ -23,7 +57,8 @@ std::string outcome_text(const Analysis& a) {
                     fmt::format("{:.3f}", r.shape.c_over_a()),
                     r.spin_period ? fmt::format("{:.2f}", *r.spin_period / 3600) : "-",
                     fmt::format("{:.2f}", r.target_fraction), r.eer ? "yes" : ""});
-  return text + "\n" + text_table(rows);
+  text += "\n" + text_table(rows);
+  return a.details.empty() ? text : text + "\n" + details_table(a);
 }
 
 }  // namespace eerie::cli

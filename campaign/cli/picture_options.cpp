@@ -12,6 +12,7 @@
 #include "analysis/pictures/movie.hpp"
 #include "campaign/cli/text_table.hpp"
 #include "campaign/cli/work.hpp"
+#include "campaign/job_directory.hpp"
 #include "campaign/snapshot_series.hpp"
 #include "solver/base/error.hpp"
 
@@ -74,11 +75,12 @@ class Pictures {
   Pictures(const fs::path& folder, ParticleColour colour, bool cut)
       : series_(snapshot_series(folder)), scale_{colour, 0, 0}, cut_(cut) {
     if (colour != ParticleColour::depth) return;
-    if (!fs::exists(folder / "snapshot_0000.hdf5"))
+    const fs::path first = JobDirectory{folder}.first_snapshot();
+    if (!fs::exists(first))
       throw InputError(fmt::format(
           "{}: has no snapshot_0000.hdf5, which says how deep particles lay; give another --colour",
           folder.string()));
-    depths_ = initial_depths(read_snapshot(folder / "snapshot_0000.hdf5"));
+    depths_ = initial_depths(read_snapshot(first));
   }
 
   const std::vector<SnapshotFile>& series() const { return series_; }

@@ -52,6 +52,13 @@ void ProgressLine::show(const CampaignView& view) {
   drawn_ = true;
 }
 
+void show_count(const char* verb, std::size_t done, std::size_t all) {
+  if (::isatty(STDERR_FILENO) == 0) return;
+  fmt::print(stderr, "\r\033[K{} {} of {}", verb, done, all);
+  if (done == all) fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+}
+
 void ProgressLine::finish() {
   if (terminal_ && drawn_) fmt::print(stderr, "\r\033[K");
 }

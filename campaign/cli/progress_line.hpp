@@ -21,6 +21,9 @@ class ProgressLine {
   std::chrono::steady_clock::time_point next_;
 };
 
+/// Shows "examined 3 of 15" on stderr where that is a terminal; leaves its line at the last.
+void show_count(const char* verb, std::size_t done, std::size_t all);
+
 /// "[######----] 3/15 done, 1 failed, 2 running | 1.9 M particle-steps/s | ETA 3 min 20 s".
 std::string progress_text(const CampaignView& view, bool with_bar);
 /// The part from "2 running" on.
