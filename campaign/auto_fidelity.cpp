@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* coarse = "sketch";
 constexpr const char* fine = "survey";
-/// So many runs of each impact at a time, and so many sketches at most.
-constexpr std::int64_t seeds_at_a_time = 2, most_sketches = 4;
+/// So many runs of each impact at first, and so many sketches at most.
+constexpr std::int64_t first_seeds = 2, most_sketches = 4;
 /// An impact is not called mixed by fewer surveys.
 constexpr std::size_t fewest_of_mixed = 4;
 /// Of b/a, before anything is known: the spread of seeds, and what a sketch may be off.
@@ -30,6 +30,14 @@ bool agree(const std::vector<Sample>& samples) {
 bool bears_out(const Verdict& finer, const Verdict& sketched) {
   return finer.outcome == sketched.outcome &&
          (finer.p_elongated > 0.5) == (sketched.p_elongated > 0.5);
+}
+
+/// What else is known of the classes of a surveyed impact: its neighbours and its own sketches,
+/// which count as one neighbour more.
+ClassShares with_sketches(const AutoCell& cell) {
+  ClassShares shares = cell.around;
+  for (const auto& [name, share] : class_shares(cell.sketch)) shares[name] += 0.5 * share;
+  return shares;
 }
 
 struct AutoRun {
@@ -68,6 +76,46 @@ AutoFidelity::AutoFidelity(const Sweep& sketch, const Sweep& survey, AutoOptions
   const std::vector<Scene> sketches = expand(sketch), surveys = expand(survey);
   for (std::size_t k = 0; k < sketches.size(); ++k)
     cells_.push_back({sketches[k], surveys[k], {}, {}, {}, ""});
+  find_neighbours(sketch.axes);
+}
+
+void AutoFidelity::find_neighbours(const std::vector<Axis>& axes) {
+  std::size_t stride = 1;  // of cells between two values of an axis; the last varies fastest
+  for (std::size_t k = axes.size(); k-- > 0; stride *= axes[k].values.size()) {
+    const std::size_t values = axes[k].values.size();
+    if (axes[k].path != "impact.v_imp_cm_per_s" && axes[k].path != "impact.theta_imp_deg") continue;
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      const std::size_t place = c / stride % values;
+      if (place > 0) cells_[c].neighbours.push_back(c - stride);
+      if (place + 1 < values) cells_[c].neighbours.push_back(c + stride);
+    }
+  }
+}
+
+void AutoFidelity::look_around() {
+  for (AutoCell& cell : cells_) {
+    cell.around.clear();
+    double known = 0;
+    for (const std::size_t k : cell.neighbours) {
+      const AutoCell& other = cells_[k];
+      const std::vector<Sample>& runs = other.survey.empty() ? other.sketch : other.survey;
+      if (runs.empty()) continue;
+      ++known;
+      for (const auto& [name, share] : class_shares(runs)) cell.around[name] += share;
+    }
+    for (auto& [name, share] : cell.around) share /= known;
+  }
+}
+
+Transfer AutoFidelity::transfer(const std::string& sketched_class) const {
+  const auto known = transfers_.find(sketched_class);
+  return known == transfers_.end() ? Transfer{0, prior_scatter} : known->second;
+}
+
+std::vector<std::string> AutoFidelity::classes() const {
+  std::vector<std::string> names;
+  for (const auto& [name, transfer] : transfers_) names.push_back(name);
+  return names;
 }
 
 void AutoFidelity::update(const db::Connection& connection) {
@@ -89,21 +137,26 @@ void AutoFidelity::update(const db::Connection& connection) {
 
 void AutoFidelity::judge_all() {
   std::vector<std::vector<Sample>> sketches, surveys;
-  std::vector<Both> both;
+  std::map<std::string, std::vector<Both>> both;  // by the class of the sketches
   for (const AutoCell& cell : cells_) {
     sketches.push_back(cell.sketch), surveys.push_back(cell.survey);
-    both.push_back({cell.sketch, cell.survey});
+    if (!cell.sketch.empty() && !cell.survey.empty())
+      both[leading_class(cell.sketch)].push_back({cell.sketch, cell.survey});
   }
-  transfer_ = transfer_between(both, prior_scatter);
+  transfers_.clear();
+  for (const auto& [name, impacts] : both)
+    transfers_[name] = transfer_between(impacts, prior_scatter);
+  look_around();
   const double coarse_deviation = typical_deviation(sketches, prior_deviation);
-  const double fine_deviation = typical_deviation(surveys, prior_deviation);
+  survey_deviation_ = typical_deviation(surveys, prior_deviation);
   for (AutoCell& cell : cells_) {
     if (!cell.sketch.empty()) {
       cell.fidelity = coarse;
-      cell.verdict = judge(cell.sketch, coarse_deviation, transfer_);
+      cell.verdict =
+          judge(cell.sketch, coarse_deviation, transfer(leading_class(cell.sketch)), cell.around);
     }
     if (cell.survey.empty()) continue;
-    const Verdict finer = judge(cell.survey, fine_deviation, {});
+    const Verdict finer = judge(cell.survey, survey_deviation_, {}, with_sketches(cell));
     // A survey more must not make a sure answer less sure.
     const bool sure = !cell.sketch.empty() && !cell.verdict.in_doubt(options_.confidence);
     if (sure && agree(cell.survey) && bears_out(finer, cell.verdict)) continue;
@@ -113,16 +166,18 @@ void AutoFidelity::judge_all() {
 }
 
 bool AutoFidelity::is_mixed(const AutoCell& cell) const {
-  return cell.survey.size() >= fewest_of_mixed &&
-         best_p_outcome(cell.survey, static_cast<std::size_t>(options_.most_seeds)) <
-             options_.confidence;
+  if (cell.survey.size() < fewest_of_mixed) return false;
+  const auto most = static_cast<std::size_t>(options_.most_seeds);
+  return best_p_outcome(cell.survey, most, with_sketches(cell)) < options_.confidence ||
+         best_p_side(cell.survey, survey_deviation_, most) < options_.confidence;
 }
 
 std::vector<Wanted> AutoFidelity::next() const {
   std::vector<Wanted> wanted;
   const auto ask = [&](const Scene& scene, bool survey, std::size_t done, std::int64_t most) {
     const auto first = static_cast<std::int64_t>(done) + 1;
-    for (std::int64_t seed = first; seed < first + seeds_at_a_time && seed <= most; ++seed)
+    const std::int64_t last = std::max(first_seeds, first);
+    for (std::int64_t seed = first; seed <= std::min(last, most); ++seed)
       wanted.push_back({with_seed(scene, seed), survey});
   };
   for (const AutoCell& cell : cells_) {

@@ -23,7 +23,9 @@ struct AutoCell {
   std::vector<Sample> sketch, survey;
   Verdict verdict;  ///< of the finest that has runs; nothing is known before the first
   /// What the verdict rests on: surveys, or sketches that are sure and that no survey gainsays.
-  std::string fidelity;  ///< empty before the first run
+  std::string fidelity;                      ///< empty before the first run
+  std::vector<std::size_t> neighbours = {};  ///< cells one step of speed or angle away
+  ClassShares around = {};                   ///< the classes of their runs
   std::size_t seeds() const { return fidelity == "survey" ? survey.size() : sketch.size(); }
 };
 
@@ -34,9 +36,9 @@ struct Wanted {
 };
 
 /// Coarse first, finer only where in doubt: every impact is sketched with two seeds; where they
-/// agree, with two more; what they leave in doubt is surveyed, two seeds at a time, until the
-/// ensemble is as sure as asked, has most_seeds runs, or cannot become sure with these: its classes
-/// are mixed, and that is the answer.
+/// agree and only their number is lacking, with up to two more; what they leave in doubt is
+/// surveyed with two seeds, then one at a time, until the ensemble is as sure as asked, has
+/// most_seeds runs, or would not become sure with these: that it may be either is the answer then.
 class AutoFidelity {
  public:
   /// The same sweep with the settings of either fidelity. Throws InputError as expand() does, and
@@ -54,21 +56,27 @@ class AutoFidelity {
   bool in_doubt(const AutoCell& cell) const {
     return cell.fidelity.empty() || cell.verdict.in_doubt(options_.confidence);
   }
-  /// Whether no further surveys up to most_seeds could make it sure of a class.
+  /// Whether no further surveys up to most_seeds could make it sure of a class, or are likely to
+  /// make it sure of b/a < 0.3 or not: that it may be either is the answer.
   bool is_mixed(const AutoCell& cell) const;
   /// Core-seconds of all runs that the verdicts made use of, by fidelity.
   std::map<std::string, double> core_seconds() const;
   /// The same for most_seeds surveys of every impact, from the mean of those that ran; 0 without
   /// any.
   double uniform_core_seconds() const;
-  const Transfer& transfer() const { return transfer_; }
+  /// How surveys stand to sketches of a class, from the impacts that have both.
+  Transfer transfer(const std::string& sketched_class) const;
+  std::vector<std::string> classes() const;  ///< that transfer() has learnt something of
 
  private:
+  void find_neighbours(const std::vector<Axis>& axes);
+  void look_around();
   void judge_all();
 
   AutoOptions options_;
   std::vector<AutoCell> cells_;
-  Transfer transfer_;
+  std::map<std::string, Transfer> transfers_;
+  double survey_deviation_ = 0;  ///< typical, of b/a
 };
 
 /// One line per impact: what is known of it, how sure, and on what it rests.

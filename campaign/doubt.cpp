@@ -25,22 +25,34 @@ std::pair<std::string, double> leading(std::span<const Sample> samples) {
   return *std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; });
 }
 
+/// Of one run, from the ensemble and prior_runs runs' worth of `deviation`.
+double pooled_variance(const Ensemble& e, double deviation) {
+  const double freedom = static_cast<double>(e.runs) - 1;
+  return (prior_runs * deviation * deviation + freedom * e.deviation * e.deviation) /
+         (prior_runs + freedom);
+}
+
+double support(const ClassShares& neighbours, const std::string& outcome) {
+  const auto share = neighbours.find(outcome);
+  return share == neighbours.end() ? 0 : neighbour_runs * share->second;
+}
+
 }  // namespace
 
 double Verdict::confidence() const {
   return std::min(p_outcome, std::max(p_elongated, 1 - p_elongated));
 }
 
-Verdict judge(std::span<const Sample> samples, double deviation, const Transfer& transfer) {
+Verdict judge(std::span<const Sample> samples, double deviation, const Transfer& transfer,
+              const ClassShares& neighbours) {
   const auto [outcome, count] = leading(samples);
   const auto all = static_cast<double>(samples.size());
-  Verdict verdict{outcome, (count + 0.5) / (all + 1)};
+  const double s = support(neighbours, outcome);
+  Verdict verdict{outcome, (count + s + 0.5) / (all + s + 1)};
   const Ensemble e = shapes(samples);
   if (e.runs == 0) return verdict;
   const auto n = static_cast<double>(e.runs);
-  const double freedom = prior_runs + n - 1;
-  const double variance =
-      (prior_runs * deviation * deviation + (n - 1) * e.deviation * e.deviation) / freedom;
+  const double freedom = prior_runs + n - 1, variance = pooled_variance(e, deviation);
   const double scale = std::sqrt(variance * (1 + 1 / n) + transfer.scatter * transfer.scatter);
   verdict.b_over_a = e.mean;
   verdict.p_elongated =
@@ -48,9 +60,32 @@ Verdict judge(std::span<const Sample> samples, double deviation, const Transfer&
   return verdict;
 }
 
-double best_p_outcome(std::span<const Sample> samples, std::size_t most) {
-  const double others = static_cast<double>(samples.size()) - leading(samples).second;
-  return (static_cast<double>(most) - others + 0.5) / (static_cast<double>(most) + 1);
+double best_p_outcome(std::span<const Sample> samples, std::size_t most,
+                      const ClassShares& neighbours) {
+  const auto [outcome, count] = leading(samples);
+  const double others = static_cast<double>(samples.size()) - count;
+  const double s = support(neighbours, outcome);
+  return (static_cast<double>(most) - others + s + 0.5) / (static_cast<double>(most) + s + 1);
+}
+
+double best_p_side(std::span<const Sample> samples, double deviation, std::size_t most) {
+  const Ensemble e = shapes(samples);
+  if (e.runs == 0) return 1;
+  const double variance = pooled_variance(e, deviation);
+  const double error = std::sqrt(variance / static_cast<double>(e.runs));
+  const auto n = static_cast<double>(most);
+  return student_cdf(
+      (std::abs(e.mean - eer_max_b_over_a) + error) / std::sqrt(variance * (1 + 1 / n)),
+      prior_runs + n - 1);
+}
+
+std::string leading_class(std::span<const Sample> samples) { return leading(samples).first; }
+
+ClassShares class_shares(std::span<const Sample> samples) {
+  ClassShares shares;
+  for (const Sample& sample : samples)
+    shares[sample.outcome] += 1 / static_cast<double>(samples.size());
+  return shares;
 }
 
 double typical_deviation(std::span<const std::vector<Sample>> ensembles, double prior) {

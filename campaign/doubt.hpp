@@ -33,16 +33,33 @@ struct Verdict {
 
 /// Prior knowledge counts as much as this many runs.
 inline constexpr double prior_runs = 4;
+/// Neighbours all of the same class count as so many runs of that class.
+inline constexpr double neighbour_runs = 2;
 
-/// The class: k of n runs have it, (k + 1/2)/(n + 1), Jeffreys' rule. b/a < 0.3: Student's
-/// predictive distribution of one more run, its spread that of the ensemble and, as prior, that of
-/// others
+/// The part of the runs at the neighbours of an impact that have each class.
+using ClassShares = std::map<std::string, double>;
+
+/// The class: k of n runs have it, (k + s + 1/2)/(n + s + 1), Jeffreys' rule with the support s of
+/// the neighbours, neighbour_runs times the part of their runs that have this class: an impact
+/// between others of its class is hardly ever of two kinds. Neighbours of another class say
+/// nothing: some border lies there. b/a < 0.3: Student's predictive distribution of one more run,
+/// its spread that of the ensemble and, as prior, that of others
 /// (`deviation`, standard deviation of b/a), widened by the transfer. An impact without a remnant
 /// is not elongated. `samples` must not be empty.
-Verdict judge(std::span<const Sample> samples, double deviation, const Transfer& transfer);
+Verdict judge(std::span<const Sample> samples, double deviation, const Transfer& transfer,
+              const ClassShares& neighbours = {});
 
 /// p_outcome of `most` runs, were all that are still to come of the class that leads.
-double best_p_outcome(std::span<const Sample> samples, std::size_t most);
+double best_p_outcome(std::span<const Sample> samples, std::size_t most,
+                      const ClassShares& neighbours = {});
+
+/// How sure the answer to b/a < 0.3 could become with `most` runs of this spread, were the mean of
+/// those that are there off by its standard error, away from 0.3.
+double best_p_side(std::span<const Sample> samples, double deviation, std::size_t most);
+
+/// The class of most runs; the first by name of equals. `samples` must not be empty.
+std::string leading_class(std::span<const Sample> samples);
+ClassShares class_shares(std::span<const Sample> samples);
 
 /// Standard deviation of b/a about the mean of its ensemble: the median over ensembles that agree
 /// on their class, by their degrees of freedom, with prior_runs' worth of `prior`. The median,

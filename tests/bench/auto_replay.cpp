@@ -67,8 +67,9 @@ int replay(int argc, char** argv) {
     for (const AutoCell& cell : campaign.cells()) doubts += campaign.in_doubt(cell);
     fmt::print("all: {:.0f} core-s; {} of {} impacts in doubt; {} runs asked for are not there\n",
                spent, doubts, campaign.cells().size(), missing);
-    fmt::print("sketches are off by {:+.3f} +- {:.3f} in b/a\n", campaign.transfer().shift,
-               campaign.transfer().scatter);
+    for (const std::string& name : campaign.classes())
+      fmt::print("{}: surveys are {:+.3f} +- {:.3f} in b/a from sketches\n", name,
+                 campaign.transfer(name).shift, campaign.transfer(name).scatter);
   }
   for (const char* end : {"", "-wal", "-shm"}) fs::remove(scratch.string() + end);
   return 0;

@@ -31,13 +31,13 @@ AutoFidelity new_campaign(AutoOptions options = {}) {
 }
 
 /// What a solver would say: b/a falls with speed; at 20 cm/s it is close to 0.3, and at 22 cm/s
-/// every third seed splits.
+/// every other seed splits.
 db::Result outcome_of(const Scene& s) {
   const auto seed = static_cast<double>(s.numerics.seed);
   const double noise = 0.01 * std::sin(2.4 * seed);
   const double v = s.impact.v_imp_cm_per_s;
   db::Result r = test::sample_result(v == 20 ? 0.3 + noise : 0.6 - 0.001 * v + noise);
-  if (v == 22 && s.numerics.seed % 3 == 0) r.outcome_class = "hit-and-run";
+  if (v == 22 && s.numerics.seed % 2 == 0) r.outcome_class = "hit-and-run";
   return r;
 }
 
@@ -91,7 +91,7 @@ TEST(AutoFidelity, GoesOnlyWhereItIsInDoubt) {
   for (const double clear : {15.0, 18.0}) {
     const AutoCell& cell = cell_at(campaign, clear);
     EXPECT_EQ(cell.fidelity, "sketch") << clear;
-    EXPECT_EQ(cell.sketch.size(), 4u);
+    EXPECT_EQ(cell.sketch.size(), 2u);
     EXPECT_TRUE(cell.survey.empty());
     EXPECT_FALSE(campaign.in_doubt(cell));
   }
@@ -100,18 +100,37 @@ TEST(AutoFidelity, GoesOnlyWhereItIsInDoubt) {
     EXPECT_EQ(cell.fidelity, "survey") << doubtful;
     EXPECT_TRUE(campaign.in_doubt(cell));
   }
-  EXPECT_EQ(cell_at(campaign, 20).survey.size(), 8u);
-  // Of four one is of another class: not even four more could make it nine in ten.
-  EXPECT_EQ(cell_at(campaign, 22).survey.size(), 4u);
-  EXPECT_TRUE(campaign.is_mixed(cell_at(campaign, 22)));
-  EXPECT_FALSE(campaign.is_mixed(cell_at(campaign, 20)));
+  // Four more could make neither nine in ten: both answers are that it may be either.
+  for (const double mixed : {20.0, 22.0}) {
+    EXPECT_EQ(cell_at(campaign, mixed).survey.size(), 4u);
+    EXPECT_TRUE(campaign.is_mixed(cell_at(campaign, mixed)));
+  }
   EXPECT_NEAR(cell_at(campaign, 20).verdict.p_elongated, 0.5, 0.2);
-  EXPECT_NEAR(cell_at(campaign, 22).verdict.p_outcome, 3.5 / 5, 1e-12);
+  EXPECT_LT(cell_at(campaign, 22).verdict.p_outcome, 0.7);
   const auto spent = campaign.core_seconds();
-  EXPECT_EQ(spent.at("survey"), 2 * (8 + 4) * 15);
-  EXPECT_LT(spent.at("sketch") + spent.at("survey"), 0.5 * 8 * 8 * 15);
+  EXPECT_EQ(spent.at("survey"), 2 * (4 + 4) * 15);
+  EXPECT_LT(spent.at("sketch") + spent.at("survey"), 0.4 * 8 * 8 * 15);
   EXPECT_EQ(campaign.uniform_core_seconds(), 8 * 8 * 15);
-  EXPECT_THAT(auto_csv(campaign), HasSubstr("1,40,15,10,sketch,4,4,perfect-merging,0.900,"));
+  EXPECT_THAT(auto_csv(campaign), HasSubstr("1,40,15,10,sketch,2,2,perfect-merging,0.900,"));
+}
+
+TEST(AutoFidelity, NeedsMoreRunsWhereNoNeighbourIsOfTheSameClass) {
+  const json one = {{"name", "one"}, {"grid", {{"v_imp_cm_per_s", {15}}, {"theta_imp_deg", {10}}}}};
+  const test::TemporaryFolder folder;
+  db::Connection connection(folder / "a.sqlite", db::Access::write);
+  AutoFidelity alone(sweep_at("sketch", one), sweep_at("survey", one), {});
+  run_out(alone, connection, [](const Scene&) { return false; });
+  EXPECT_EQ(cell_at(alone, 15).sketch.size(), 4u);
+  EXPECT_FALSE(alone.in_doubt(cell_at(alone, 15)));
+}
+
+TEST(AutoFidelity, TakesForNeighboursWhatIsOneStepOfSpeedOrAngleAway) {
+  const AutoFidelity campaign = new_campaign();  // 2 angles by 4 speeds; speeds vary fastest
+  EXPECT_THAT(campaign.cells()[0].neighbours, testing::UnorderedElementsAre(1, 4));
+  EXPECT_THAT(campaign.cells()[5].neighbours, testing::UnorderedElementsAre(1, 4, 6));
+  const json other = {{"name", "q"}, {"grid", {{"q", {0.5, 1}}, {"v_imp_cm_per_s", {15, 18}}}}};
+  const AutoFidelity two(sweep_at("sketch", other), sweep_at("survey", other), {});
+  EXPECT_THAT(two.cells()[0].neighbours, testing::ElementsAre(1));
 }
 
 TEST(AutoFidelity, AsksForNothingThatItIsSureOf) {

@@ -37,6 +37,32 @@ TEST(Doubt, KnowsWhenMoreRunsCannotHelp) {
   EXPECT_DOUBLE_EQ(best_p_outcome(some, 4), judge(some, 0.03, {}).p_outcome);
 }
 
+TEST(Doubt, IsLessAmongNeighboursOfTheSameClass) {
+  const std::vector<Sample> two = samples({0.5, 0.5});
+  EXPECT_DOUBLE_EQ(judge(two, 0.03, {}, {{"perfect-merging", 1}}).p_outcome, 4.5 / 5);
+  EXPECT_DOUBLE_EQ(judge(two, 0.03, {}, {{"perfect-merging", 0.5}}).p_outcome, 3.5 / 4);
+  // A border runs between neighbours of different classes: that says nothing.
+  EXPECT_DOUBLE_EQ(judge(two, 0.03, {}, {{"hit-and-run", 1}}).p_outcome, 2.5 / 3);
+  EXPECT_DOUBLE_EQ(best_p_outcome(two, 8, {{"perfect-merging", 1}}), 10.5 / 11);
+}
+
+TEST(Doubt, KnowsWhereOnAverageMoreRunsWouldNotTellTheSideOfThreeTenths) {
+  // Straddling 0.3, and clear of it though two runs alone leave it in doubt.
+  EXPECT_LT(best_p_side(samples({0.28, 0.33, 0.27, 0.31}), 0.03, 8), 0.8);
+  const std::vector<Sample> clear = samples({0.33, 0.35});
+  EXPECT_TRUE(judge(clear, 0.03, {}).in_doubt(0.9));
+  EXPECT_GT(best_p_side(clear, 0.03, 8), 0.95);
+  EXPECT_EQ(best_p_side(std::vector<Sample>{{"catastrophic-disruption", std::nullopt, 1}}, 0.03, 8),
+            1);
+}
+
+TEST(Doubt, CountsTheClassesOfRuns) {
+  std::vector<Sample> some = samples({0.5, 0.5, 0.5});
+  some.push_back({"hit-and-run", 0.5, 1});
+  EXPECT_EQ(leading_class(some), "perfect-merging");
+  EXPECT_EQ(class_shares(some), (ClassShares{{"hit-and-run", 0.25}, {"perfect-merging", 0.75}}));
+}
+
 TEST(Doubt, AsksWhetherOneMoreRunWouldBeElongatedByStudentsPrediction) {
   // One run at 0.25 with a known spread of 0.05 as four runs' worth of knowledge.
   const Verdict one = judge(samples({0.25}), 0.05, {});
