@@ -55,6 +55,14 @@ std::string block(std::size_t panel, std::size_t series) {
   return fmt::format("$p{}s{}", panel, series);
 }
 
+std::string rings(std::size_t panel) { return fmt::format("$p{}rings", panel); }
+
+bool has_rings(const AccuracyFigure& figure) {
+  bool any = false;
+  each_point(figure, [&](const AccuracyPoint& x) { any = any || !x.whole; });
+  return any;
+}
+
 /// 1, 2 and 5 times the powers of ten in between.
 std::string ticks(double low, double high) {
   std::string list;
@@ -80,9 +88,14 @@ std::string data_blocks(const AccuracyFigure& figure) {
       for (const AccuracyPoint* x : line) text += row(*x, p);
       text += "EOD\n";
     }
+    text += rings(p) + " << EOD\n";
+    each_point(figure, [&](const AccuracyPoint& x) {
+      if (!x.whole) text += row(x, p);
+    });
+    text += "EOD\n";
     std::vector<std::pair<double, double>> all;
     each_point(figure, [&](const AccuracyPoint& x) {
-      all.emplace_back(x.core_seconds, height(x.errors[p]));
+      if (x.whole) all.emplace_back(x.core_seconds, height(x.errors[p]));
     });
     std::ranges::sort(all);
     text += fmt::format("$p{}frontier << EOD\n", p);
@@ -141,12 +154,18 @@ std::string panel_commands(const AccuracyFigure& figure, std::size_t p, double h
         ", {0} using 1:2 with points pt {2} ps {3} lw 1.2 lc rgb '{1}' notitle",
         block(p, s), look.colour, look.mark, look.size);
   }
+  if (has_rings(figure))
+    curves += fmt::format(", {} using 1:2 with points pt 6 ps 1 lw 0.6 lc rgb '{}' notitle",
+                          rings(p), black);
   return text + "plot " + curves + "\n";
 }
 
 /// The legend beside the panels: a plot of nothing, as high as the page.
 std::string legend_commands(const AccuracyFigure& figure) {
   std::string curves = "1/0 with lines lw 3 lc rgb '#dddddd' title 'frontier'";
+  if (has_rings(figure))
+    curves += fmt::format(
+        ", 1/0 with points pt 6 ps 1 lw 0.6 lc rgb '{}' title 'some impacts only'", black);
   for (std::size_t s = 0; s < figure.series.size(); ++s) {
     const Look look = look_of(figure, s);
     curves += fmt::format(", 1/0 with points pt {} ps {} lw 1.2 lc rgb '{}' title '{}'", look.mark,

@@ -14,6 +14,7 @@ struct AccuracyPoint {
   std::string label;
   double core_seconds = 0;    ///< per impact
   std::vector<Error> errors;  ///< one per panel
+  bool whole = true;          ///< of all impacts; others are ringed and no part of the frontier
 };
 
 /// A knob: its settings are joined in the order of their cost, with the default among them.

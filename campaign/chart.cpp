@@ -54,11 +54,14 @@ class Comparison {
   const Runs& runs(std::size_t setting, std::size_t one) const {
     return runs_[setting * cases_ + one];
   }
-  bool is_whole(std::size_t setting) const {
+  /// The cases that a setting has results of.
+  std::vector<std::size_t> cases(std::size_t setting) const {
+    std::vector<std::size_t> there;
     for (std::size_t c = 0; c < cases_; ++c)
-      if (runs(setting, c).empty()) return false;
-    return true;
+      if (!runs(setting, c).empty()) there.push_back(c);
+    return there;
   }
+  bool is_whole(std::size_t setting) const { return cases(setting).size() == cases_; }
 
   /// `relative`: differences in parts of the reference's mean.
   Deviation deviation(std::size_t setting, const Quantity& quantity, bool relative = false) const {
@@ -83,27 +86,27 @@ class Comparison {
 
   double mean_over_cases(std::size_t setting, const std::function<double(const Runs&)>& f) const {
     double sum = 0;
-    for (std::size_t c = 0; c < cases_; ++c) sum += f(runs(setting, c));
-    return sum / static_cast<double>(cases_);
+    for (const std::size_t c : cases(setting)) sum += f(runs(setting, c));
+    return sum / static_cast<double>(cases(setting).size());
   }
 
   double class_agreement(std::size_t setting) const {
     double sum = 0;
-    for (std::size_t c = 0; c < cases_; ++c) {
+    for (const std::size_t c : cases(setting)) {
       const std::string expected = most_frequent_class(runs(reference_, c));
       const auto alike = std::ranges::count_if(runs(setting, c), [&](const ChartResult* r) {
         return r->row.result.outcome_class == expected;
       });
       sum += static_cast<double>(alike) / static_cast<double>(runs(setting, c).size());
     }
-    return sum / static_cast<double>(cases_);
+    return sum / static_cast<double>(cases(setting).size());
   }
 
   double p_eer_error(std::size_t setting) const {
     double sum = 0;
-    for (std::size_t c = 0; c < cases_; ++c)
+    for (const std::size_t c : cases(setting))
       sum += std::abs(p_eer(runs(setting, c)) - p_eer(runs(reference_, c)));
-    return sum / static_cast<double>(cases_);
+    return sum / static_cast<double>(cases(setting).size());
   }
 
  private:
@@ -142,9 +145,11 @@ double truth(const ChartPoint& point) {
 
 void mark_frontier(std::vector<ChartPoint>& points) {
   for (ChartPoint& point : points) {
+    if (!point.whole) continue;
     double cheapest = point.core_seconds;
     for (const ChartPoint& other : points)
-      if (truth(other) <= truth(point)) cheapest = std::min(cheapest, other.core_seconds);
+      if (other.whole && truth(other) <= truth(point))
+        cheapest = std::min(cheapest, other.core_seconds);
     point.cost_over_frontier = point.core_seconds / cheapest;
     point.frontier = point.cost_over_frontier <= 1;
   }
@@ -159,10 +164,14 @@ std::vector<ChartPoint> chart_points(const ChartStudy& study,
   std::vector<ChartPoint> points;
   if (!all.is_whole(reference)) return points;
   for (std::size_t s = 0; s < study.settings.size(); ++s) {
-    if (!all.is_whole(s)) continue;
+    if (all.cases(s).empty()) continue;
     ChartPoint p;
     p.setting = s;
-    for (std::size_t c = 0; c < study.cases.size(); ++c) p.runs += all.runs(s, c).size();
+    p.whole = all.is_whole(s);
+    for (const std::size_t c : all.cases(s)) {
+      p.runs += all.runs(s, c).size();
+      p.cases += (p.cases.empty() ? "" : ", ") + study.cases[c].name;
+    }
     p.core_seconds = all.mean_over_cases(s, [](const Runs& runs) {
       return over(runs, [](const ChartResult& r) { return std::optional(r.core_seconds); }).mean;
     });
@@ -185,17 +194,18 @@ std::vector<ChartPoint> chart_points(const ChartStudy& study,
 
 std::string chart_csv(const ChartStudy& study, const std::vector<ChartPoint>& points) {
   std::string csv =
-      "knob,setting,runs,core_s,particle_steps,b_over_a_error,b_over_a_noise,c_over_a_error,"
+      "knob,setting,cases,runs,core_s,particle_steps,b_over_a_error,b_over_a_noise,c_over_a_error,"
       "c_over_a_noise,m_1_over_m_total_error,m_1_over_m_total_noise,period_relative_error,"
       "period_relative_noise,class_agreement,p_eer_error,frontier,cost_over_frontier,set\n";
   for (const ChartPoint& p : points) {
     const ChartStudy::Setting& s = study.settings[p.setting];
-    csv += fmt::format("{},{},{},{:.4g},{:.4g}", csv_quoted(s.knob), csv_quoted(s.label), p.runs,
-                       p.core_seconds, p.particle_steps);
+    csv += fmt::format("{},{},{},{},{:.4g},{:.4g}", csv_quoted(s.knob), csv_quoted(s.label),
+                       csv_quoted(p.cases), p.runs, p.core_seconds, p.particle_steps);
     for (const Deviation& d : {p.b_over_a, p.c_over_a, p.m_1, p.period})
       csv += fmt::format(",{:.3g},{:.3g}", d.error, d.noise);
-    csv += fmt::format(",{:.3g},{:.3g},{},{:.3g},{}\n", p.class_agreement, p.p_eer_error,
-                       p.frontier ? 1 : 0, p.cost_over_frontier, csv_quoted(s.set.dump()));
+    csv += fmt::format(
+        ",{:.3g},{:.3g},{},{},{}\n", p.class_agreement, p.p_eer_error, p.frontier ? 1 : 0,
+        p.whole ? fmt::format("{:.3g}", p.cost_over_frontier) : "", csv_quoted(s.set.dump()));
   }
   return csv;
 }
@@ -225,7 +235,7 @@ AccuracyFigure chart_figure(const ChartStudy& study, const std::vector<ChartPoin
     if (s.knob == reference_knob) continue;
     if (figure.series.empty() || figure.series.back().name != s.knob)
       figure.series.push_back({s.knob, s.knob == default_knob, {}});
-    AccuracyPoint point{s.label, p.core_seconds, {}};
+    AccuracyPoint point{s.label, p.core_seconds, {}, p.whole};
     for (const Deviation& d : {p.b_over_a, p.c_over_a, p.m_1, p.period})
       point.errors.push_back({d.error, d.noise});
     figure.series.back().points.push_back(std::move(point));

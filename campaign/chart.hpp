@@ -21,6 +21,8 @@ struct Deviation {
 struct ChartPoint {
   std::size_t setting = 0;
   std::size_t runs = 0;
+  std::string cases;                            ///< the impacts that it has results of, "A, G"
+  bool whole = true;                            ///< these are all
   double core_seconds = 0, particle_steps = 0;  ///< per impact, mean over the cases
   Deviation b_over_a, c_over_a, m_1, period;    ///< of the largest remnant; period: relative
   double class_agreement = 0;  ///< part of the runs with the class that most of the reference have
@@ -30,7 +32,9 @@ struct ChartPoint {
   double cost_over_frontier = 1;
 };
 
-/// One point per setting that has results of every case; none without the reference's. Spreads are
+/// One point per setting that has results of some case; none without the reference's of every case.
+/// A point of some cases only is no part of the frontier: its cost and error are those of these.
+/// Spreads are
 /// pooled over the settings of a case, since few seeds say little of their own spread.
 std::vector<ChartPoint> chart_points(const ChartStudy& study,
                                      const std::vector<ChartResult>& results);

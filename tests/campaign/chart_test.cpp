@@ -10,6 +10,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 json small_study() {
   return {
@@ -122,7 +123,7 @@ TEST(Chart, FindsTheCheapestOfWhatIsAsTrueWithinTheNoise) {
   EXPECT_NEAR(points[1].cost_over_frontier, 4, 1e-12);
   EXPECT_NEAR(points[3].cost_over_frontier, 1.2, 1e-12);
   EXPECT_TRUE(points[2].frontier);  // false but cheap
-  EXPECT_THAT(chart_csv(study, points), HasSubstr("\"cfl\",\"1\",4,5,1e+06,0.2,"));
+  EXPECT_THAT(chart_csv(study, points), HasSubstr("\"cfl\",\"1\",\"slow, fast\",4,5,1e+06,0.2,"));
 }
 
 TEST(Chart, HasNoPointsWithoutTheReference) {
@@ -134,13 +135,28 @@ TEST(Chart, HasNoPointsWithoutTheReference) {
   EXPECT_THAT(chart_points(study, some), IsEmpty());
 }
 
-TEST(Chart, LeavesOutSettingsThatLackACase) {
+TEST(Chart, ShowsSettingsThatLackACaseApartFromTheFrontier) {
   const ChartStudy study = parse_chart_study(small_study(), "chart.json");
+  const double cost[] = {10, 40, 1, 12, 100};
   auto some = results(
-      study, [](std::size_t, std::size_t) { return 0.3; }, [](std::size_t) { return 1.0; });
+      study,
+      [](std::size_t s, std::size_t c) {
+        return 0.3 + (s == 2 && c == 1 ? 0.05 : 0) - (s == 4 ? 0.01 / 3 : 0);
+      },
+      [&](std::size_t s) { return cost[s]; });
   std::erase_if(some,
                 [](const ChartResult& r) { return r.run.setting == 2 && r.run.case_index == 0; });
-  EXPECT_EQ(chart_points(study, some).size(), 4u);
+  const auto points = chart_points(study, some);
+  ASSERT_EQ(points.size(), 5u);
+  EXPECT_FALSE(points[2].whole);
+  EXPECT_EQ(points[2].cases, "fast");
+  EXPECT_EQ(points[2].runs, 2u);
+  EXPECT_NEAR(points[2].b_over_a.error, 0.05, 1e-12);  // of the case that is there
+  EXPECT_FALSE(points[2].frontier);
+  EXPECT_TRUE(points[0].frontier);  // though the other would be cheaper
+  EXPECT_EQ(points[0].cases, "slow, fast");
+  EXPECT_THAT(chart_csv(study, points), HasSubstr("\"cfl\",\"1\",\"fast\",2,1,"));
+  EXPECT_THAT(accuracy_script(chart_figure(study, points)), HasSubstr("some impacts only"));
 }
 
 TEST(Chart, DrawsKnobsByNameAndTheDefaultAsAStar) {
@@ -155,6 +171,7 @@ TEST(Chart, DrawsKnobsByNameAndTheDefaultAsAStar) {
   const std::string script = accuracy_script(figure);
   EXPECT_THAT(script, HasSubstr("title 'cfl'"));
   EXPECT_THAT(script, HasSubstr("title 'frontier'"));
+  EXPECT_THAT(script, Not(HasSubstr("some impacts only")));
 }
 
 }  // namespace
