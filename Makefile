@@ -42,11 +42,12 @@ scale: packages-test  ## measure a campaign of 1,000 to 100,000 jobs (10 minutes
 
 settled: packages-test  ## what the settled stop would have done to runs to 1e5 s (30 minutes): docs/accuracy
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON -DEERIE_BENCHMARKS=ON > /dev/null
-	@cmake --build $(BUILD) -j $(JOBS) --target eerie eerie_settled
+	@cmake --build $(BUILD) -j $(JOBS) --target eerie eerie_settled eerie_settled_figure
 	@mkdir -p $(BUILD)/settled
 	@$(BUILD)/eerie converge sweeps/studies/settled.json --db $(BUILD)/settled/settled.sqlite -o $(BUILD)/settled > /dev/null
 	@$(BUILD)/tests/bench/eerie_settled $(BUILD)/settled/settled.sqlite.jobs docs/accuracy/settled.csv 4000 0.0015 0.02 0.005
 	@$(BUILD)/tests/bench/eerie_settled $(BUILD)/settled/settled.sqlite.jobs docs/accuracy/settled-survey.csv 4000 0.003 0.05 0.02
+	@$(BUILD)/tests/bench/eerie_settled_figure docs/accuracy/settled.csv docs/accuracy/settled-survey.csv docs/accuracy/settled.svg
 
 test-faults: packages-test  ## kill, damage and starve campaigns (15 minutes): 200 kills, every named point
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON > /dev/null
