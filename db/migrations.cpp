@@ -11,16 +11,18 @@
 #include "db/schema.hpp"
 #include "db/schema_2.hpp"
 #include "db/schema_3.hpp"
+#include "db/schema_4.hpp"
 
 namespace eerie::db {
 namespace {
 
 constexpr int application_id = 0x65657269;  // "eeri"
 
-constexpr std::array<Migration, 3> steps = {{
+constexpr std::array<Migration, 4> steps = {{
     {1, schema_1},
     {2, schema_2},
     {3, schema_3},
+    {4, schema_4},
 }};
 
 int pragma(SQLite::Database& database, const char* name) {
