@@ -23,6 +23,7 @@ struct RunSettings {
   std::int64_t particles_per_target = 0;
   std::string name;      ///< fidelity, or the scheme where it has none
   std::string fidelity;  ///< empty: has none
+  std::int64_t id = 0;   ///< tells apart what has the same name; what the database calls it
   auto operator<=>(const RunSettings&) const = default;
 };
 

@@ -33,6 +33,8 @@ struct PhaseDiagram {
   double v_esc_cm_per_s = 0;  ///< mutual escape speed at contact: the upper axis; 0: none
   std::optional<double> threshold_cm_per_s;  ///< draws the curve v sin(theta) = threshold
   std::vector<PhaseCell> cells;              ///< any order; at most one per (v, theta)
+  std::string fidelity = {};                 ///< empty: the settings have no name
+  std::int64_t settings = 0;                 ///< what a database calls them; 0: not known
 };
 
 /// Draws the map by gnuplot and installs it atomically; the extension decides: .png, .svg, .pdf.

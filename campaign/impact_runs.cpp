@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -38,13 +39,19 @@ std::optional<double> stiffness(const json& scene, const json& paper) {
   return a == b ? std::optional(a) : std::nullopt;
 }
 
+/// What runs have to share to be compared: all that is neither bodies, impact nor seed.
+std::string comparable(json scene) {
+  scene["numerics"].erase("seed");
+  return json{scene["numerics"], scene["end"], scene["impact"]["separation"]}.dump();
+}
+
 ImpactRun run_of(const db::Connection& connection, const db::ResultRow& row, const json& scene) {
   ImpactRun run;
   run.q = row.q, run.phi_d_deg = row.phi_d_deg;
   run.v_imp_cm_per_s = row.v_imp_cm_per_s, run.theta_imp_deg = row.theta_imp_deg;
   const std::string scheme = scene.at("numerics").at("scheme").get<std::string>();
   run.settings = {row.particles_per_target, row.fidelity.empty() ? scheme : row.fidelity,
-                  row.fidelity};
+                  row.fidelity, row.settings};
   run.seed = row.seed;
   run.outcome = row.result.outcome_class;
   run.m_lr_over_m_total = row.result.m_lr_over_m_total;
@@ -63,6 +70,10 @@ ImpactRuns impact_runs(const db::Connection& connection, const db::ResultFilter&
       to_json(parse_scene({{"impact", {{"v_imp_cm_per_s", 20}, {"theta_imp_deg", 15}}}}));
   const json paper_bodies = bodies(paper);
   ImpactRuns all;
+  std::vector<std::string> kinds;  // of all.runs
+  // To the database stiffer bodies have settings of their own; facts compare them with the
+  // paper's. They go by the number of the latter.
+  std::map<std::string, std::pair<bool, std::int64_t>> ids;
   for (const db::ResultRow& row : db::results(connection, filter)) {
     if (row.stale) {
       ++all.stale;
@@ -78,7 +89,12 @@ ImpactRuns impact_runs(const db::Connection& connection, const db::ResultFilter&
     all.runs.push_back(run_of(connection, row, scene));
     all.runs.back().stiffness = *stiff;
     all.unsettled += row.result.settled ? 0 : 1;
+    kinds.push_back(comparable(scene));
+    const std::pair id(*stiff != 1, row.settings);
+    const auto known = ids.emplace(kinds.back(), id).first;
+    known->second = std::min(known->second, id);
   }
+  for (std::size_t k = 0; k < kinds.size(); ++k) all.runs[k].settings.id = ids.at(kinds[k]).second;
   return all;
 }
 

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "analysis/threshold.hpp"
 #include "campaign/job.hpp"
+#include "campaign/settings_choice.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie {
@@ -17,15 +20,38 @@ namespace {
 
 PhaseCell cell(const db::MapPoint& p) {
   CellState state = CellState::pending;
-  if (p.done > 0)
-    state = p.settled ? CellState::done : CellState::unsettled;
+  if (p.results > 0)
+    state = p.unsettled == 0 ? CellState::done : CellState::unsettled;
   else if (p.failed > 0)
     state = CellState::failed;
-  return {p.v_imp_cm_per_s, p.theta_imp_deg, state, p.b_over_a.value_or(0), p.outcome_class, p.eer};
+  const std::int64_t with_eer = p.largest_is_eer + p.smaller_is_eer;
+  return {p.v_imp_cm_per_s,
+          p.theta_imp_deg,
+          state,
+          p.b_over_a.mean.value_or(0),
+          p.outcome_class(),
+          with_eer > 0 && 2 * with_eer >= p.results};
 }
 
-std::string label(const PhaseDiagram& d) {
-  return fmt::format("q{}-phi{}-n{}", d.q, d.phi_d_deg, d.particles_per_target);
+bool same_but_for_settings(const PhaseDiagram& a, const PhaseDiagram& b) {
+  return a.q == b.q && a.phi_d_deg == b.phi_d_deg &&
+         a.particles_per_target == b.particles_per_target;
+}
+
+std::set<std::int64_t> settings_of(const std::vector<PhaseDiagram>& diagrams) {
+  std::set<std::int64_t> ids;
+  for (const PhaseDiagram& d : diagrams) ids.insert(d.settings);
+  return ids;
+}
+
+std::string no_job(const db::Connection& connection) {
+  std::string known;
+  for (const PhaseDiagram& d : phase_diagrams(connection, {}))
+    known +=
+        fmt::format("\n  --q {} --phi-d {} --settings {}   {} particles{}{}", d.q, d.phi_d_deg,
+                    d.settings, d.particles_per_target, d.fidelity.empty() ? "" : ", ", d.fidelity);
+  return fmt::format("{}: holds no job with these parameters; {}{}", connection.path().string(),
+                     known.empty() ? "it is empty" : "what it holds is", known);
 }
 
 bool up_to_date(const fs::path& picture, double newest_result_s) {
@@ -38,20 +64,32 @@ bool up_to_date(const fs::path& picture, double newest_result_s) {
 
 }  // namespace
 
+std::string map_label(const PhaseDiagram& diagram, const std::vector<PhaseDiagram>& all) {
+  std::string text =
+      fmt::format("q{}-phi{}-n{}", diagram.q, diagram.phi_d_deg, diagram.particles_per_target);
+  if (std::ranges::count_if(all, [&](const PhaseDiagram& other) {
+        return same_but_for_settings(diagram, other);
+      }) > 1)
+    text += fmt::format("-s{}", diagram.settings);
+  return text;
+}
+
 std::vector<PhaseDiagram> phase_diagrams(const db::Connection& connection,
                                          const db::MapFilter& filter) {
   std::vector<PhaseDiagram> diagrams;
   for (const db::MapPoint& p : db::map_points(connection, filter)) {
     const bool same = !diagrams.empty() && diagrams.back().q == p.q &&
                       diagrams.back().phi_d_deg == p.phi_d_deg &&
-                      diagrams.back().particles_per_target == p.particles_per_target;
-    if (!same)
-      diagrams.push_back({p.q,
-                          p.phi_d_deg,
-                          p.particles_per_target,
-                          p.v_imp_cm_per_s / p.v_over_v_esc,
-                          published_threshold(p.q, p.phi_d_deg),
-                          {}});
+                      diagrams.back().settings == p.settings;
+    if (!same) {
+      PhaseDiagram diagram;
+      diagram.q = p.q, diagram.phi_d_deg = p.phi_d_deg;
+      diagram.particles_per_target = p.particles_per_target;
+      diagram.v_esc_cm_per_s = p.v_imp_cm_per_s / p.v_over_v_esc;
+      diagram.threshold_cm_per_s = published_threshold(p.q, p.phi_d_deg);
+      diagram.settings = p.settings, diagram.fidelity = p.fidelity;
+      diagrams.push_back(std::move(diagram));
+    }
     diagrams.back().cells.push_back(cell(p));
   }
   return diagrams;
@@ -93,7 +131,7 @@ std::vector<fs::path> draw_sweep_maps(const db::Connection& connection, std::int
     std::string stem = connection.path().stem().string();
     if (stem != sweep_name) stem += "-" + sweep_name;
     stem += "-b-over-a";
-    if (diagrams.size() > 1) stem += "-" + label(diagram);
+    if (diagrams.size() > 1) stem += "-" + map_label(diagram, diagrams);
     for (const char* extension : {".png", ".svg"}) {
       pictures.push_back(connection.path().parent_path() / (stem + extension));
       if (!up_to_date(pictures.back(), newest)) draw_phase_diagram(pictures.back(), diagram);
@@ -105,15 +143,12 @@ std::vector<fs::path> draw_sweep_maps(const db::Connection& connection, std::int
 void draw_named_maps(const db::Connection& connection, const db::MapFilter& filter,
                      const std::vector<fs::path>& files) {
   const std::vector<PhaseDiagram> diagrams = phase_diagrams(connection, filter);
-  if (diagrams.empty())
-    throw InputError(
-        fmt::format("{}: holds no job with these parameters; `eerie status` shows what it holds",
-                    connection.path().string()));
+  if (diagrams.empty()) throw InputError(no_job(connection));
+  require_one_settings(connection, settings_of(diagrams));
   if (diagrams.size() > 1) {
     std::string choices;
     for (const PhaseDiagram& d : diagrams)
-      choices += fmt::format("\n  --q {} --phi-d {} --particles {}", d.q, d.phi_d_deg,
-                             d.particles_per_target);
+      choices += fmt::format("\n  --q {} --phi-d {}", d.q, d.phi_d_deg);
     throw InputError(fmt::format("{}: holds several maps; choose one by{}",
                                  connection.path().string(), choices));
   }

@@ -106,6 +106,11 @@ AddedSweep add_sweep(SQLite::Database& sql, const std::string& name, const std::
         VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?))");
   SQLite::Statement insert_scene(
       sql, "INSERT INTO job_scenes (job_id, scene) SELECT id, ? FROM jobs WHERE hash = ?");
+  SQLite::Statement insert_settings(sql, R"(INSERT OR IGNORE INTO job_settings (scene)
+        SELECT scene FROM shared_scenes WHERE job_id = (SELECT id FROM jobs WHERE hash = ?))");
+  SQLite::Statement note_settings(sql, R"(UPDATE jobs SET settings =
+        (SELECT s.id FROM job_settings s JOIN shared_scenes c ON c.scene = s.scene
+         WHERE c.job_id = jobs.id) WHERE hash = ?)");
   SQLite::Statement join(sql,
                          "INSERT OR IGNORE INTO sweep_jobs (sweep_id, job_id) SELECT ?, id FROM "
                          "jobs WHERE hash = ?");
@@ -117,6 +122,10 @@ AddedSweep add_sweep(SQLite::Database& sql, const std::string& name, const std::
       ++added.added;
       bind_all(insert_scene, j.scene, j.hash);
       insert_scene.exec();
+      bind_all(insert_settings, j.hash);
+      insert_settings.exec();
+      bind_all(note_settings, j.hash);
+      note_settings.exec();
     }
     bind_all(join, added.sweep, j.hash);
     join.exec();

@@ -11,6 +11,7 @@
 #include "db/schema.hpp"
 #include "db/schema_2.hpp"
 #include "db/schema_3.hpp"
+#include "db/schema_4.hpp"
 #include "db/schema_5.hpp"
 
 namespace eerie::db {
@@ -18,10 +19,11 @@ namespace {
 
 constexpr int application_id = 0x65657269;  // "eeri"
 
-constexpr std::array<Migration, 4> steps = {{
+constexpr std::array<Migration, 5> steps = {{
     {1, schema_1},
     {2, schema_2},
     {3, schema_3},
+    {4, schema_4},
     {5, schema_5},
 }};
 

@@ -18,6 +18,8 @@ std::string conditions(const ResultFilter& f) {
   text += point_conditions(f);
   if (f.outcome_class) text += " AND class = :class";
   if (f.eer_only) text += " AND n_eer > 0";
+  if (f.fidelity) text += " AND fidelity = :fidelity";
+  if (f.settings) text += " AND settings = :settings";
   return text;
 }
 
@@ -25,6 +27,8 @@ void bind_conditions(SQLite::Statement& select, const ResultFilter& f) {
   if (f.sweep) select.bind(":sweep", *f.sweep);
   bind_point(select, f);
   if (f.outcome_class) select.bind(":class", *f.outcome_class);
+  if (f.fidelity) select.bind(":fidelity", *f.fidelity);
+  if (f.settings) select.bind(":settings", *f.settings);
 }
 
 ResultRow result_row(const SQLite::Statement& row) {
@@ -65,6 +69,7 @@ ResultRow result_row(const SQLite::Statement& row) {
   x.ended_at_s = number(column("ended_at_s"));
   x.end_reason = column("end_reason").getString();
   r.fidelity = column("fidelity").getString();
+  r.settings = column("settings").getInt64();
   return r;
 }
 

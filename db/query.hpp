@@ -22,6 +22,8 @@ struct ResultFilter {
   std::optional<Range> v_imp_cm_per_s = {}, theta_imp_deg = {};
   std::optional<std::string> outcome_class = {};
   bool eer_only = false;  ///< at least one remnant is extremely elongated
+  std::optional<std::string> fidelity = {};
+  std::optional<std::int64_t> settings = {};  ///< db/job_settings.hpp
 };
 
 /// A row of the view `results`, with the job's point.
@@ -31,7 +33,8 @@ struct ResultRow {
   double q = 0, phi_d_deg = 0, v_imp_cm_per_s = 0, theta_imp_deg = 0, v_over_v_esc = 0;
   std::int64_t particles_per_target = 0, seed = 0;
   double end_time_s = 0;
-  std::string fidelity;  ///< empty: settings without a name
+  std::string fidelity;       ///< empty: settings without a name
+  std::int64_t settings = 0;  ///< db/job_settings.hpp
   Result result;
   std::string finished;
   bool stale = false;  ///< made by another solver version than the one that works on the database
@@ -46,26 +49,6 @@ std::vector<Remnant> remnants(const Connection& connection, std::int64_t job);
 
 /// Processor time of all attempts at a job, s; 0 where none is known.
 double core_seconds(const Connection& connection, std::int64_t job);
-
-/// One place of a map: all jobs with this speed and angle, which differ in seed and the like.
-struct MapPoint {
-  double q = 0, phi_d_deg = 0, v_imp_cm_per_s = 0, theta_imp_deg = 0, v_over_v_esc = 0;
-  std::int64_t particles_per_target = 0;
-  std::int64_t jobs = 0, done = 0, failed = 0;
-  std::optional<double> b_over_a = {};  ///< mean over the finished jobs
-  std::string outcome_class = {};       ///< of most of them
-  bool eer = false;                     ///< at least half of them made an EER
-  bool settled = true;                  ///< all of them
-};
-
-struct MapFilter {
-  std::optional<std::int64_t> sweep = {};
-  std::optional<double> q = {}, phi_d_deg = {};
-  std::optional<std::int64_t> particles_per_target = {};
-};
-
-/// Ordered by q, phi_d, particles, then v_imp and theta_imp.
-std::vector<MapPoint> map_points(const Connection& connection, const MapFilter& filter);
 
 /// Counts of a sweep's jobs by state, and what is left and was spent.
 struct SweepStatus {

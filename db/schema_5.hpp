@@ -32,7 +32,7 @@ SELECT m.job_id AS job, j.q, j.phi_d_deg, j.v_imp_cm_per_s, j.theta_imp_deg, j.s
        m.b_over_a, m.c_over_a, m.spin_period_h, m.eer, m.target_fraction,
        m.bound_group, m.bound_mass_over_total,
        m.x_m, m.y_m, m.z_m, m.vx_m_per_s, m.vy_m_per_s, m.vz_m_per_s,
-       j.particles_per_target, j.fidelity, 1 - m.target_fraction AS impactor_fraction,
+       j.particles_per_target, j.fidelity, j.settings, 1 - m.target_fraction AS impactor_fraction,
        m.shape_class, m.neck, m.box_a_m, m.box_b_m, m.box_c_m, m.box_b_over_a,
        m.bulk_density_kg_per_m3, m.spin_axis_x, m.spin_axis_y, m.spin_axis_z, m.spin_tilt_deg,
        m.origin_depth_mean_m, m.origin_depth_p10_m, m.origin_depth_p90_m,

@@ -15,16 +15,18 @@ namespace fs = std::filesystem;
 
 struct CheckArguments {
   fs::path database;
-  fs::path report;  ///< empty: none
+  fs::path report;       ///< empty: none
+  db::MapFilter filter;  ///< of settings only
   bool json = false;
 };
 
 /// The maps beside the report, "REPORT-q1-phi40-n1000.svg"; without gnuplot the report says so.
-void draw_maps(CheckReport& report, const db::Connection& connection, const fs::path& file) {
-  for (const PhaseDiagram& diagram : phase_diagrams(connection, db::MapFilter{})) {
-    const fs::path figure =
-        file.parent_path() / fmt::format("{}-q{}-phi{}-n{}.svg", file.stem().string(), diagram.q,
-                                         diagram.phi_d_deg, diagram.particles_per_target);
+void draw_maps(CheckReport& report, const db::Connection& connection, const db::MapFilter& filter,
+               const fs::path& file) {
+  const std::vector<PhaseDiagram> diagrams = phase_diagrams(connection, filter);
+  for (const PhaseDiagram& diagram : diagrams) {
+    const fs::path figure = file.parent_path() / fmt::format("{}-{}.svg", file.stem().string(),
+                                                             map_label(diagram, diagrams));
     try {
       draw_phase_diagram(figure, diagram);
     } catch (const EnvironmentError& error) {
@@ -42,13 +44,15 @@ int check_facts(const CheckArguments& a) {
                     "example -o report.md",
                     a.report.string()));
   const db::Connection connection(a.database, db::Access::read);
-  const ImpactRuns runs = impact_runs(connection, {});
+  db::ResultFilter filter;
+  filter.fidelity = a.filter.fidelity, filter.settings = a.filter.settings;
+  const ImpactRuns runs = impact_runs(connection, filter);
   CheckReport report{a.database, {}, remark(runs), {}, {}};
   for (const Fact& fact : paper_facts())
     report.facts.push_back({&fact, check(fact, runs.runs, a.database.string())});
   if (!a.report.empty()) {
     make_folder_of(a.report);
-    draw_maps(report, connection, a.report);
+    draw_maps(report, connection, a.filter, a.report);
     install_text(a.report, check_markdown(report));
   }
   fmt::print("{}", a.json ? to_json(report).dump(1) + "\n" : check_text(report));
@@ -63,6 +67,7 @@ int check_facts(const CheckArguments& a) {
 Action add_check(CLI::App& app) {
   auto a = std::make_shared<CheckArguments>();
   add_database(app, a->database);
+  add_settings_filter(app, a->filter);
   app.add_option("-o,--output", a->report,
                  "write the table, with maps beside it, into this Markdown file (.md)");
   add_json(app, a->json);

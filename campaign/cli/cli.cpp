@@ -82,9 +82,7 @@ Action add_query(CLI::App& app) {
 Action add_map(CLI::App& app) {
   auto a = std::make_shared<MapArguments>();
   add_database(app, a->database);
-  app.add_option("--q", a->q, "mass ratio");
-  app.add_option("--phi-d", a->phi_d_deg, "friction angle, deg");
-  app.add_option("--particles", a->particles_per_target, "particles per target");
+  add_map_filter(app, a->filter);
   app.add_option("-o,--output", a->files, "picture: .png, .svg or .pdf; may be repeated")
       ->required();
   add_json(app, a->json);

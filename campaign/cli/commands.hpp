@@ -58,8 +58,7 @@ int query(const QueryArguments& arguments);
 
 struct MapArguments {
   std::filesystem::path database;
-  std::optional<double> q, phi_d_deg;
-  std::optional<std::int64_t> particles_per_target;
+  db::MapFilter filter;
   std::vector<std::filesystem::path> files;
   bool json = false;
 };

@@ -10,7 +10,7 @@ namespace eerie::cli {
 
 int map(const MapArguments& a) {
   const db::Connection connection(a.database, db::Access::read);
-  draw_named_maps(connection, {std::nullopt, a.q, a.phi_d_deg, a.particles_per_target}, a.files);
+  draw_named_maps(connection, a.filter, a.files);
   nlohmann::json pictures = nlohmann::json::array();
   for (const auto& file : a.files) {
     pictures.push_back(file.string());

@@ -76,6 +76,22 @@ void add_share(CLI::App& app, int& workers, int& threads_per_job) {
 
 void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "print JSON"); }
 
+void add_settings_filter(CLI::App& app, db::MapFilter& filter) {
+  std::vector<std::string> names;
+  for (const Fidelity& fidelity : fidelities) names.emplace_back(fidelity.name);
+  app.add_option("--fidelity", filter.fidelity, "only impacts of this fidelity")
+      ->check(CLI::IsMember(names));
+  app.add_option("--settings", filter.settings,
+                 "only impacts of these settings, by the database's number for them");
+}
+
+void add_map_filter(CLI::App& app, db::MapFilter& filter) {
+  app.add_option("--q", filter.q, "mass ratio");
+  app.add_option("--phi-d", filter.phi_d_deg, "friction angle, deg");
+  app.add_option("--particles", filter.particles_per_target, "particles per target");
+  add_settings_filter(app, filter);
+}
+
 void add_selection(CLI::App& app, SelectionArguments& a) {
   app.add_option("JOB", a.jobs, "jobs, by the first digits of their hashes");
   app.add_option("--sweep", a.sweep, "the jobs of the sweep of this name");

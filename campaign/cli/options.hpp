@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "db/map_points.hpp"
 #include "db/selection.hpp"
 
 namespace eerie::cli {
@@ -38,6 +39,11 @@ void add_point(CLI::App& app, Arguments& a) {
   app.add_option("--v", a.v, "impact speed LO:HI or one value, cm/s");
   app.add_option("--theta", a.theta, "impact angle LO:HI or one value, deg");
 }
+
+/// --fidelity and --settings.
+void add_settings_filter(CLI::App& app, db::MapFilter& filter);
+/// --q, --phi-d, --particles and these.
+void add_map_filter(CLI::App& app, db::MapFilter& filter);
 
 /// Jobs as words, --sweep and the conditions of `query`.
 struct SelectionArguments {

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <tuple>
 
 #include "campaign/cli/commands.hpp"
 #include "campaign/cli/result_columns.hpp"
@@ -15,6 +14,7 @@
 #include "campaign/map.hpp"
 #include "campaign/signals.hpp"
 #include "db/control.hpp"
+#include "db/job_settings.hpp"
 #include "db/jobs.hpp"
 #include "db/lock.hpp"
 #include "solver/base/error.hpp"
@@ -34,14 +34,13 @@ void require_drawable(const std::vector<fs::path>& files, const std::vector<db::
       throw InputError(fmt::format("--map {}: must end in .png, .svg or .pdf; for example map.png",
                                    file.string()));
   }
-  std::set<std::tuple<double, double, std::int64_t>> maps;
-  for (const db::NewJob& job : jobs) maps.emplace(job.q, job.phi_d_deg, job.particles_per_target);
-  if (maps.size() > 1)
+  std::set<std::pair<double, double>> maps;
+  for (const db::NewJob& job : jobs) maps.emplace(job.q, job.phi_d_deg);
+  if (const std::size_t all = std::max(maps.size(), db::count_settings(jobs)); all > 1)
     throw InputError(
-        fmt::format("--map {}: the sweep makes {} maps (of q, phi_d and particles per target); "
-                    "leave --map out, all "
-                    "of them are drawn beside the database",
-                    files.front().string(), maps.size()));
+        fmt::format("--map {}: the sweep makes at least {} maps (of q, phi_d and settings); leave "
+                    "--map out, all of them are drawn beside the database",
+                    files.front().string(), all));
 }
 
 /// The two pictures beside the database and those asked for by --map.

@@ -19,8 +19,7 @@ using nlohmann::json;
 
 struct ThresholdArguments {
   fs::path database;
-  std::optional<double> q, phi_d_deg;
-  std::optional<std::int64_t> particles_per_target;
+  db::MapFilter filter;
   fs::path file;  ///< empty: none
   bool json = false;
 };
@@ -86,6 +85,17 @@ std::string title(const RunGroup& g) {
       ridge_cells(g.runs).size());
 }
 
+/// What tells a group from others of its name: ", settings 3".
+std::string distinction(const RunGroup& g, const std::vector<Fitted>& all) {
+  const bool alone =
+      std::ranges::count_if(all, [&](const Fitted& f) {
+        return f.group->q == g.q && f.group->phi_d_deg == g.phi_d_deg &&
+               f.group->settings.name == g.settings.name &&
+               f.group->settings.particles_per_target == g.settings.particles_per_target;
+      }) == 1;
+  return alone ? "" : fmt::format(", settings {}", g.settings.id);
+}
+
 /// "12.5 to 17.5 deg (10 and 20: none)".
 std::string bound_text(const RidgeBound& b, const char* unit) {
   const auto next = [](const std::optional<double>& value) {
@@ -108,8 +118,8 @@ std::string rows_table(const Threshold& t) {
   return text_table(rows);
 }
 
-std::string text_of(const Fitted& f) {
-  std::string text = title(*f.group) + "\n";
+std::string text_of(const Fitted& f, const std::vector<Fitted>& all) {
+  std::string text = title(*f.group) + distinction(*f.group, all) + "\n";
   const Threshold* t = f.found();
   if (t == nullptr)
     return text + "  not enough data: " + std::get<TooFewForThreshold>(f.fit).reason + "\n";
@@ -167,18 +177,19 @@ void draw(const ThresholdArguments& a, const db::Connection& connection,
     std::string choices;
     for (const Fitted& f : fits)
       if (f.found())
-        choices += fmt::format("\n  --q {} --phi-d {} --particles {}", f.group->q,
-                               f.group->phi_d_deg, f.group->settings.particles_per_target);
+        choices += fmt::format("\n  --q {} --phi-d {} --settings {}   {}, {} particles", f.group->q,
+                               f.group->phi_d_deg, f.group->settings.id, f.group->settings.name,
+                               f.group->settings.particles_per_target);
     throw InputError(fmt::format(
         "-o {}: a figure needs one fitted ridge and there are {}; {}{}", a.file.string(), count,
         count == 0 ? "nothing to draw: give FILE.csv for what is known" : "choose one by",
         choices));
   }
   const Fitted& f = *std::ranges::find_if(fits, [](const Fitted& one) { return one.found(); });
-  const std::vector<PhaseDiagram> diagrams = phase_diagrams(
-      connection,
-      {std::nullopt, f.group->q, f.group->phi_d_deg, f.group->settings.particles_per_target});
-  PhaseDiagram diagram = diagrams.front();
+  db::MapFilter filter;
+  filter.q = f.group->q, filter.phi_d_deg = f.group->phi_d_deg;
+  filter.settings = f.group->settings.id;
+  PhaseDiagram diagram = phase_diagrams(connection, filter).front();
   diagram.threshold_cm_per_s = f.found()->constant;
   draw_phase_diagram(a.file, diagram);
 }
@@ -187,12 +198,14 @@ int threshold(const ThresholdArguments& a) {
   const bool table = a.file.extension() == ".csv";
   const db::Connection connection(a.database, db::Access::read);
   db::ResultFilter filter;
-  filter.q = a.q, filter.phi_d_deg = a.phi_d_deg;
+  filter.q = a.filter.q, filter.phi_d_deg = a.filter.phi_d_deg;
+  filter.fidelity = a.filter.fidelity, filter.settings = a.filter.settings;
   const ImpactRuns runs = impact_runs(connection, filter);
   const std::vector<RunGroup> groups = groups_of(runs.runs);
   std::vector<Fitted> fits;
   for (const RunGroup& group : groups)
-    if (!a.particles_per_target || group.settings.particles_per_target == *a.particles_per_target)
+    if (a.filter.particles_per_target.value_or(group.settings.particles_per_target) ==
+        group.settings.particles_per_target)
       fits.push_back({&group, fit_threshold(ridge_cells(group.runs))});
   const std::string aside = remark(runs);
   if (fits.empty())
@@ -216,7 +229,7 @@ int threshold(const ThresholdArguments& a) {
     fmt::print("{}\n", report.dump(1));
     return static_cast<int>(ExitCode::done);
   }
-  for (const Fitted& f : fits) fmt::print("{}\n", text_of(f));
+  for (const Fitted& f : fits) fmt::print("{}\n", text_of(f, fits));
   if (!aside.empty()) fmt::print("{}\n", aside);
   if (!a.file.empty()) fmt::print("{}\n", a.file.string());
   return static_cast<int>(ExitCode::done);
@@ -227,9 +240,7 @@ int threshold(const ThresholdArguments& a) {
 Action add_threshold(CLI::App& app) {
   auto a = std::make_shared<ThresholdArguments>();
   add_database(app, a->database);
-  app.add_option("--q", a->q, "mass ratio");
-  app.add_option("--phi-d", a->phi_d_deg, "friction angle, deg");
-  app.add_option("--particles", a->particles_per_target, "particles per target");
+  add_map_filter(app, a->filter);
   app.add_option("-o,--output", a->file,
                  "the map with the fitted curve (.png, .svg, .pdf), or all constants (.csv)");
   add_json(app, a->json);

@@ -80,6 +80,33 @@ TEST_F(ImpactRunsOf, RunsOfOtherSettingsAreOtherGroups) {
   EXPECT_EQ(groups[1].settings.name, "survey");
 }
 
+TEST_F(ImpactRunsOf, RunsOfTheSameSchemeThatDifferInAnyOtherSettingAreOtherGroups) {
+  json sticky = survey_scene(1, 40, 20, 15, 1), plain = sticky;
+  sticky["numerics"]["cfl"] = 0.5, plain["numerics"]["cfl"] = 0.6;
+  add_impact(connection, sticky, 0.25);
+  add_impact(connection, plain, 0.35);
+  plain["numerics"]["seed"] = 2;
+  add_impact(connection, plain, 0.35);
+  const std::vector<RunGroup> groups = groups_of(all().runs);
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].settings.name, groups[1].settings.name);
+  EXPECT_EQ(groups[0].runs.size() + 2 * groups[1].runs.size(), 5u);
+}
+
+TEST_F(ImpactRunsOf, StifferBodiesHaveTheSettingsOfThePapersToBeComparedWithThem) {
+  json stiff = survey_scene(1, 40, 20, 15, 1);
+  stiff["material"]["tillotson"] = {{"A_Pa", 2.67e5}, {"B_Pa", 2.67e5}};
+  add_impact(connection, stiff, 0.25);
+  add_impact(connection, survey_scene(1, 40, 20, 15, 1), 0.25);
+  const ImpactRuns found = all();
+  EXPECT_EQ(found.runs.at(0).settings, found.runs.at(1).settings);
+  db::ResultFilter filter;
+  filter.settings = found.runs[0].settings.id;
+  const ImpactRuns same = impact_runs(connection, filter);
+  ASSERT_EQ(same.runs.size(), 1u);
+  EXPECT_EQ(same.runs[0].stiffness, 1);
+}
+
 TEST_F(ImpactRunsOf, UnsettledResultsCountAndAreTold) {
   add_impact(connection, survey_scene(1, 40, 20, 15, 1), 0.5, false);
   const ImpactRuns found = all();

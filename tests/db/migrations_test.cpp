@@ -1,6 +1,7 @@
 #include "db/migrations.hpp"
 
 #include <SQLiteCpp/Database.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "db/connection.hpp"
@@ -48,6 +49,38 @@ TEST(Migrations, BringEveryOlderDatabaseToTheSchemaOfANewOne) {
     { const Connection migrated(path, Access::write); }
     EXPECT_EQ(schema(path), schema(folder / "fresh.sqlite")) << "from version " << version;
   }
+}
+
+TEST(Migrations, FindTheSettingsOfJobsThatOlderVersionsAdded) {
+  const TemporaryFolder folder;
+  make_version(folder / "old.sqlite", 3);
+  const auto scene = [](double v, int seed, int particles, const char* end) {
+    return fmt::format(
+        R"({{"end":{},"impact":{{"q":1,"v_imp_cm_per_s":{}}},"numerics":{{"late_sound_speed":1.0,)"
+        R"("particles_per_target":{},"seed":{}}},"output":{{"history_interval_s":{}}}}})",
+        end, v, particles, seed, v);
+  };
+  const char* whole = R"({"settled":{"window_s":0.0},"time_s":3e4})";
+  // The third lacks the field that is off in the others; the fourth has other particles.
+  const std::string scenes[] = {scene(15, 1, 400, whole), scene(16, 2, 400, whole),
+                                scene(17, 1, 400, R"({"time_s":3e4})"), scene(15, 1, 900, whole),
+                                scene(15, 1, 400, R"({"settled":{"window_s":9},"time_s":3e4})")};
+  SQLite::Database sql = writable(folder / "old.sqlite");
+  for (const std::string& one : scenes) {
+    sql.exec(
+        "INSERT INTO jobs (hash, q, phi_d_deg, v_imp_cm_per_s, theta_imp_deg, v_over_v_esc, "
+        "particles_per_target, seed, end_time_s, expected_particle_steps) "
+        "VALUES ('" +
+        one + "', 1, 40, 20, 15, 3, 400, 1, 1, 1)");
+    sql.exec("INSERT INTO job_scenes VALUES (last_insert_rowid(), '" + one + "')");
+  }
+  { const Connection migrated(folder / "old.sqlite", Access::write); }
+  std::vector<int> settings;
+  SQLite::Statement select(sql, "SELECT settings FROM jobs ORDER BY id");
+  while (select.executeStep()) settings.push_back(select.getColumn(0).getInt());
+  EXPECT_THAT(settings, testing::ElementsAre(1, 1, 1, 2, 3));
+  EXPECT_EQ(sql.execAndGet("SELECT scene FROM job_settings WHERE id = 1").getString(),
+            R"({"end":{"time_s":3e4},"impact":{},"numerics":{"particles_per_target":400}})");
 }
 
 TEST(Migrations, RefuseADatabaseNewerThanTheProgram) {

@@ -94,36 +94,6 @@ TEST_F(Query, MeasuresSpeedOverFinishedAttempts) {
   EXPECT_NEAR(measured.expected_over_done, 0.5, 1e-5);
 }
 
-TEST_F(Query, MapsEveryPlaceWhateverItsState) {
-  const std::vector<MapPoint> points = map_points(connection, {});
-  ASSERT_EQ(points.size(), 5u);
-  EXPECT_EQ(points[0].b_over_a, 0.2);
-  EXPECT_TRUE(points[0].eer);
-  EXPECT_EQ(points[0].outcome_class, "perfect-merging");
-  EXPECT_EQ(points[3].failed, 1);
-  EXPECT_EQ(points[4].done, 0);
-  EXPECT_EQ(points[4].b_over_a, std::nullopt);
-}
-
-TEST_F(Query, MapsTheMeanOverJobsThatDifferInSeedOnly) {
-  NewJob twin = sample_jobs(1)[0];
-  twin.hash = "twin";
-  twin.seed = 2;
-  add_sweep(connection, "twin", "{}", std::vector{twin});
-  for (const Job& job : jobs(connection, {std::nullopt, JobState::pending}))
-    if (job.hash == "twin")
-      finish(connection, job.id, ended(ExitReason::finished), sample_result(0.5), {});
-  const MapPoint point = map_points(connection, {}).at(0);
-  EXPECT_EQ(point.jobs, 2);
-  EXPECT_DOUBLE_EQ(point.b_over_a.value(), 0.35);
-  connection.read([](SQLite::Database& sql) {
-    EXPECT_DOUBLE_EQ(
-        sql.execAndGet("SELECT b_over_a FROM maps WHERE v_imp_cm_per_s = 15").getDouble(), 0.35);
-    EXPECT_DOUBLE_EQ(sql.execAndGet("SELECT p_eer FROM maps WHERE v_imp_cm_per_s = 15").getDouble(),
-                     0.5);
-  });
-}
-
 TEST_F(Query, KnowsWhenTheNewestResultCame) {
   const double now =
       std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
