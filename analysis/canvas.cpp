@@ -48,6 +48,11 @@ void Canvas::hatch(const Area& area, Colour colour, double distance) {
   }
 }
 
+void Canvas::rule(const Area& area, Colour colour, double distance) {
+  for (double y = area.low.y + distance / 2; y < area.high.y; y += distance)
+    line({area.low.x, y}, {area.high.x, y}, colour, 0.4);
+}
+
 void Canvas::cross(const Area& area, Colour colour) {
   line(area.low, area.high, colour, 0.6);
   line({area.low.x, area.high.y}, {area.high.x, area.low.y}, colour, 0.6);

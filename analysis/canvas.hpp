@@ -46,6 +46,8 @@ class Canvas {
   void polygon(const std::vector<Point>& corners, Colour colour);
   /// Lines rising to the right, `distance` points apart, cut at the borders of the area.
   void hatch(const Area& area, Colour colour, double distance);
+  /// Horizontal lines, `distance` points apart.
+  void rule(const Area& area, Colour colour, double distance);
   void cross(const Area& area, Colour colour);
   /// Words centred on `at` across their direction. Markup of gnuplot's enhanced text applies.
   void text(Point at, std::string_view words, const Style& style);

@@ -58,6 +58,9 @@ constexpr std::array<Anchor, 4> quantity = {{{0.0, {0x2a, 0x0f, 0x52}},
                                              {0.66, {0x2f, 0xa2, 0x7d}},
                                              {1.0, {0xf2, 0xd2, 0x3c}}}};
 
+constexpr std::array<Anchor, 3> eer_count = {
+    {{0.0, {0xfd, 0xf6, 0xdc}}, {0.5, {0x8f, 0xbf, 0xe3}}, {1.0, {0x12, 0x45, 0x92}}}};
+
 template <std::size_t N>
 Colour between(const std::array<Anchor, N>& anchors, double value) {
   std::size_t k = 0;
@@ -82,6 +85,8 @@ Colour b_over_a_colour(double b_over_a) {
 }
 
 Colour quantity_colour(double part) { return between(quantity, std::clamp(part, 0.0, 1.0)); }
+
+Colour eer_count_colour(double part) { return between(eer_count, std::clamp(part, 0.0, 1.0)); }
 
 Colour text_colour(Colour background) {
   return lightness(background) < 55 ? Colour{255, 255, 255} : Colour{0, 0, 0};

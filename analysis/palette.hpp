@@ -27,6 +27,10 @@ Colour b_over_a_colour(double b_over_a);
 /// its light end still stands out on white. Interpolated in OKLab.
 Colour quantity_colour(double part);
 
+/// Colour of how many remnants are extremely elongated, at `part` of its scale, in [0, 1]
+/// (clamped): from cream to the blue that they have in maps of b/a. Lightness falls all the way.
+Colour eer_count_colour(double part);
+
 /// Black or white, whichever stands out better on `background`.
 Colour text_colour(Colour background);
 

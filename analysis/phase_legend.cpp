@@ -5,77 +5,43 @@
 #include <algorithm>
 
 #include "analysis/outcome.hpp"
-#include "analysis/remnants.hpp"
+#include "analysis/phase_cells.hpp"
 
 namespace eerie {
-
-namespace map_mark {
-
-void pending(Canvas& canvas, const Area& area) {
-  canvas.fill(area, pale);
-  canvas.hatch(area, grey, 2.4);
-}
-
-void failed(Canvas& canvas, const Area& area) {
-  canvas.fill(area, {255, 255, 255});
-  canvas.cross(area, failure);
-}
-
-void unsettled(Canvas& canvas, const Area& area) { canvas.hatch(area, umber, 4); }
-
-void smaller_eer(Canvas& canvas, const Area& area) {
-  const double side = std::min({6.0, area.width() / 2, area.height() / 2});
-  const Point corner = area.high;
-  canvas.polygon({corner, {corner.x - side, corner.y}, {corner.x, corner.y - side}}, eer);
-}
-
-void in_doubt(Canvas& canvas, const Area& area) {
-  canvas.outline({{area.low.x + 1, area.low.y + 1}, {area.high.x - 1, area.high.y - 1}}, failure,
-                 1.2);
-}
-
-std::string basis(const PhaseCell& cell) {
-  const char letter = cell.fidelity == "sketch" ? 'k' : cell.fidelity == "survey" ? 'v' : 'p';
-  return fmt::format("{}{}", letter, cell.seeds);
-}
-
-}  // namespace map_mark
 
 namespace {
 
 constexpr double words_size = 6, row_height = 9.5, symbol_width = 11, gap = 8;
+constexpr Colour sand{0xf6, 0xdf, 0xb4};
 
-bool has_result(const PhaseCell& cell) {
-  return cell.state == CellState::done || cell.state == CellState::unsettled;
+/// Whether some cell of the figure passes.
+template <class Test>
+bool any(const PhaseFigure& figure, Test test) {
+  return std::ranges::any_of(
+      figure.diagrams, [&](const PhaseDiagram& d) { return std::ranges::any_of(d.cells, test); });
+}
+
+bool shows(const PhaseFigure& figure, MapQuantity quantity) {
+  return std::ranges::count(figure.quantities, quantity) > 0;
+}
+
+bool lacks_a_value(const PhaseFigure& figure) {
+  return any(figure, [&](const PhaseCell& c) {
+    return c.has_result() && std::ranges::any_of(figure.quantities, [&](MapQuantity quantity) {
+             return quantity != MapQuantity::outcome && !value_of(quantity, c);
+           });
+  });
 }
 
 }  // namespace
 
-PhaseLegend::PhaseLegend(const PhaseDiagram& diagram, double width_pt) {
-  const auto any = [&](auto test) { return std::ranges::any_of(diagram.cells, test); };
-  if (diagram.threshold_cm_per_s)
-    entries_.push_back(
-        {Mark::curve, "", fmt::format("v sin θ = {:g} cm/s", *diagram.threshold_cm_per_s)});
-  entries_.push_back({Mark::blue, "", "EER (b/a < 0.3)"});
-  if (any([](const PhaseCell& c) {
-        return has_result(c) && c.eer && c.b_over_a >= eer_max_b_over_a;
-      }))
+PhaseLegend::PhaseLegend(const PhaseFigure& figure, double width_pt) {
+  add_curve(figure);
+  if (shows(figure, MapQuantity::b_over_a)) entries_.push_back({Mark::blue, "", "EER (b/a < 0.3)"});
+  if (any(figure, [](const PhaseCell& c) { return c.has_result() && c.smaller_eer; }))
     entries_.push_back({Mark::corner, "", "a smaller remnant is an EER"});
-  for (const OutcomeName& row : outcome_names)
-    if (any([&](const PhaseCell& c) { return has_result(c) && c.outcome == row.name; }))
-      entries_.push_back({Mark::letter, std::string(row.short_name), std::string(row.name)});
-  for (const char* fidelity : {"sketch", "survey", "paper"})
-    if (any([&](const PhaseCell& c) { return c.fidelity == fidelity; }))
-      entries_.push_back({Mark::letter, map_mark::basis({.fidelity = fidelity, .seeds = 4}),
-                          fmt::format("4 seeds, {}", fidelity)});
-  if (any([](const PhaseCell& c) { return c.in_doubt; }))
-    entries_.push_back({Mark::doubt, "", "in doubt"});
-  if (any([](const PhaseCell& c) { return c.state == CellState::unsettled; }))
-    entries_.push_back({Mark::unsettled, "", "unsettled: pieces will meet again"});
-  if (any([](const PhaseCell& c) { return c.state == CellState::failed; }))
-    entries_.push_back({Mark::failed, "", "failed"});
-  if (any([](const PhaseCell& c) { return c.state == CellState::pending; }))
-    entries_.push_back({Mark::pending, "", "not run yet"});
+  add_classes(figure);
+  add_states(figure);
   double x = 0;
   int row = 0;
   for (Entry& entry : entries_) {
@@ -86,45 +52,101 @@ PhaseLegend::PhaseLegend(const PhaseDiagram& diagram, double width_pt) {
   }
 }
 
-double PhaseLegend::height_pt() const { return row_height * (entries_.back().row + 1); }
+void PhaseLegend::add_curve(const PhaseFigure& figure) {
+  std::vector<double> constants;
+  for (const PhaseDiagram& d : figure.diagrams)
+    if (d.threshold_cm_per_s) constants.push_back(*d.threshold_cm_per_s);
+  if (constants.empty()) return;
+  const bool same = std::ranges::count(constants, constants.front()) == std::ssize(constants);
+  entries_.push_back({Mark::curve, "",
+                      same ? fmt::format("v sin θ = {:g} cm/s", constants.front())
+                           : "v sin θ as in the panel's title"});
+}
+
+void PhaseLegend::add_classes(const PhaseFigure& figure) {
+  const bool coloured = shows(figure, MapQuantity::outcome);
+  for (const OutcomeName& row : outcome_names)
+    if (any(figure, [&](const PhaseCell& c) { return c.has_result() && c.outcome == row.name; }))
+      entries_.push_back({Mark::letter, std::string(row.short_name), std::string(row.name),
+                          coloured ? std::optional(outcome_colour(row.name)) : std::nullopt});
+  if (coloured &&
+      any(figure, [](const PhaseCell& c) { return c.has_result() && c.class_share < 1; }))
+    entries_.push_back({Mark::letter, "%", "of the seeds, where they differ"});
+}
+
+void PhaseLegend::add_states(const PhaseFigure& figure) {
+  for (const char* fidelity : {"sketch", "survey", "paper"})
+    if (any(figure, [&](const PhaseCell& c) { return c.fidelity == fidelity; }))
+      entries_.push_back({Mark::letter, map_mark::basis({.fidelity = fidelity, .seeds = 4}),
+                          fmt::format("4 seeds, {}", fidelity)});
+  if (any(figure, [](const PhaseCell& c) { return c.in_doubt; }))
+    entries_.push_back({Mark::doubt, "", "in doubt"});
+  if (any(figure, [](const PhaseCell& c) { return c.state == CellState::unsettled; }))
+    entries_.push_back({Mark::unsettled, "", "unsettled: pieces will meet again"});
+  if (any(figure, [](const PhaseCell& c) { return c.has_result() && c.stale; }))
+    entries_.push_back({Mark::stale, "", "stale: of another solver version"});
+  if (lacks_a_value(figure)) entries_.push_back({Mark::letter, "–", "has no such number"});
+  if (any(figure, [](const PhaseCell& c) { return c.state == CellState::failed; }))
+    entries_.push_back({Mark::failed, "", "failed"});
+  if (any(figure, [](const PhaseCell& c) { return c.state == CellState::pending; }))
+    entries_.push_back({Mark::pending, "", "not run yet"});
+  if (std::ranges::any_of(figure.diagrams, [](const PhaseDiagram& d) {
+        return std::ranges::count(CellGrid(d).cells, nullptr) > 0;
+      }))
+    entries_.push_back({Mark::missing, "", "no job"});
+}
+
+double PhaseLegend::height_pt() const {
+  return entries_.empty() ? 0 : row_height * (entries_.back().row + 1);
+}
+
+void PhaseLegend::draw_mark(Canvas& canvas, const Entry& entry, const Area& box) {
+  switch (entry.mark) {
+    case Mark::letter:
+      if (entry.fill) canvas.fill(box, *entry.fill);
+      canvas.text(box.centre(), entry.letter,
+                  {.size = words_size, .colour = map_mark::ink, .bold = true});
+      return;
+    case Mark::curve:
+      canvas.line({box.low.x, box.centre().y}, {box.high.x, box.centre().y}, map_mark::ink, 1.2);
+      return;
+    case Mark::blue:
+      canvas.fill(box, b_over_a_colour(0.15));
+      break;
+    case Mark::corner:
+      canvas.fill(box, sand);
+      map_mark::smaller_eer(canvas, box);
+      break;
+    case Mark::unsettled:
+      canvas.fill(box, sand);
+      map_mark::unsettled(canvas, box, sand, 2.4);
+      break;
+    case Mark::stale:
+      canvas.fill(box, sand);
+      map_mark::stale(canvas, box, sand, 2);
+      break;
+    case Mark::missing:
+      map_mark::missing(canvas, box);
+      break;
+    case Mark::pending:
+      map_mark::pending(canvas, box);
+      break;
+    case Mark::failed:
+      map_mark::failed(canvas, box);
+      break;
+    case Mark::doubt:
+      canvas.fill(box, sand);
+      map_mark::in_doubt(canvas,
+                         {{box.low.x - 1, box.low.y - 1}, {box.high.x + 1, box.high.y + 1}});
+      break;
+  }
+  canvas.outline(box, map_mark::grey, 0.3);
+}
 
 void PhaseLegend::draw(Canvas& canvas, Point upper_left) const {
   for (const Entry& entry : entries_) {
     const Point at{upper_left.x + entry.x, upper_left.y - row_height * (entry.row + 0.5)};
-    const Area box{{at.x, at.y - 3}, {at.x + 8, at.y + 3}};
-    switch (entry.mark) {
-      case Mark::letter:
-        canvas.text(box.centre(), entry.letter,
-                    {.size = words_size, .colour = map_mark::ink, .bold = true});
-        break;
-      case Mark::curve:
-        canvas.line({box.low.x, at.y}, {box.high.x, at.y}, map_mark::ink, 1.2);
-        break;
-      case Mark::blue:
-        canvas.fill(box, b_over_a_colour(0.15));
-        break;
-      case Mark::corner:
-        canvas.fill(box, b_over_a_colour(0.8));
-        map_mark::smaller_eer(canvas, box);
-        break;
-      case Mark::unsettled:
-        canvas.fill(box, b_over_a_colour(0.8));
-        canvas.hatch(box, map_mark::umber, 2.4);
-        break;
-      case Mark::pending:
-        map_mark::pending(canvas, box);
-        break;
-      case Mark::failed:
-        map_mark::failed(canvas, box);
-        break;
-      case Mark::doubt:
-        canvas.fill(box, b_over_a_colour(0.8));
-        map_mark::in_doubt(canvas,
-                           {{box.low.x - 1, box.low.y - 1}, {box.high.x + 1, box.high.y + 1}});
-        break;
-    }
-    if (entry.mark != Mark::letter && entry.mark != Mark::curve)
-      canvas.outline(box, map_mark::grey, 0.3);
+    draw_mark(canvas, entry, {{at.x, at.y - 3}, {at.x + 8, at.y + 3}});
     canvas.text({at.x + symbol_width, at.y}, entry.words,
                 {.size = words_size, .colour = map_mark::ink, .align = Align::left});
   }

@@ -12,7 +12,7 @@ struct FigureScript {
   std::string commands;
 };
 
-/// Lays a map out for one column of a journal (9 cm). The diagram was checked by the caller.
-FigureScript phase_script(const PhaseDiagram& diagram);
+/// Lays a figure out for print (phase_layout.hpp). It was checked by the caller.
+FigureScript phase_script(const PhaseFigure& figure);
 
 }  // namespace eerie

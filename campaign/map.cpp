@@ -10,8 +10,10 @@
 
 #include "analysis/threshold.hpp"
 #include "campaign/job.hpp"
+#include "campaign/map_csv.hpp"
 #include "campaign/settings_choice.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
 
 namespace eerie {
 namespace fs = std::filesystem;
@@ -19,18 +21,19 @@ namespace fs = std::filesystem;
 namespace {
 
 PhaseCell cell(const db::MapPoint& p) {
-  CellState state = CellState::pending;
-  if (p.results > 0)
-    state = p.unsettled == 0 ? CellState::done : CellState::unsettled;
-  else if (p.failed > 0)
-    state = CellState::failed;
-  const std::int64_t with_eer = p.largest_is_eer + p.smaller_is_eer;
-  return {p.v_imp_cm_per_s,
-          p.theta_imp_deg,
-          state,
-          p.b_over_a.mean.value_or(0),
-          p.outcome_class(),
-          with_eer > 0 && 2 * with_eer >= p.results};
+  PhaseCell c{p.v_imp_cm_per_s, p.theta_imp_deg};
+  if (p.results == 0) {
+    c.state = p.failed > 0 ? CellState::failed : CellState::pending;
+    return c;
+  }
+  c.state = p.unsettled == 0 ? CellState::done : CellState::unsettled;
+  c.outcome = p.outcome_class();
+  c.class_share = p.share(p.classes.at(c.outcome));
+  c.smaller_eer = p.smaller_is_eer > 0 && 2 * p.smaller_is_eer >= p.results;
+  c.stale = p.stale > 0;
+  c.b_over_a = p.b_over_a.mean, c.c_over_a = p.c_over_a.mean, c.period_h = p.period_h.mean;
+  c.m_lr_over_m_total = p.m_lr_over_m_total.mean, c.n_eer = p.n_eer.mean, c.p_eer = p.p_eer();
+  return c;
 }
 
 bool same_but_for_settings(const PhaseDiagram& a, const PhaseDiagram& b) {
@@ -74,10 +77,9 @@ std::string map_label(const PhaseDiagram& diagram, const std::vector<PhaseDiagra
   return text;
 }
 
-std::vector<PhaseDiagram> phase_diagrams(const db::Connection& connection,
-                                         const db::MapFilter& filter) {
+std::vector<PhaseDiagram> phase_diagrams(const std::vector<db::MapPoint>& points) {
   std::vector<PhaseDiagram> diagrams;
-  for (const db::MapPoint& p : db::map_points(connection, filter)) {
+  for (const db::MapPoint& p : points) {
     const bool same = !diagrams.empty() && diagrams.back().q == p.q &&
                       diagrams.back().phi_d_deg == p.phi_d_deg &&
                       diagrams.back().settings == p.settings;
@@ -95,6 +97,11 @@ std::vector<PhaseDiagram> phase_diagrams(const db::Connection& connection,
   return diagrams;
 }
 
+std::vector<PhaseDiagram> phase_diagrams(const db::Connection& connection,
+                                         const db::MapFilter& filter) {
+  return phase_diagrams(db::map_points(connection, filter));
+}
+
 std::vector<PhaseDiagram> phase_diagrams(const AutoFidelity& campaign) {
   std::map<std::pair<double, double>, PhaseDiagram> diagrams;
   for (const AutoCell& c : campaign.cells()) {
@@ -108,7 +115,6 @@ std::vector<PhaseDiagram> phase_diagrams(const AutoFidelity& campaign) {
     if (!c.fidelity.empty()) {
       cell.state = CellState::done;
       cell.b_over_a = c.verdict.b_over_a, cell.outcome = c.verdict.outcome;
-      cell.eer = c.verdict.p_elongated >= 0.5;
       cell.fidelity = c.fidelity, cell.seeds = c.seeds();
       cell.in_doubt = campaign.in_doubt(c);
     }
@@ -132,27 +138,47 @@ std::vector<fs::path> draw_sweep_maps(const db::Connection& connection, std::int
     if (stem != sweep_name) stem += "-" + sweep_name;
     stem += "-b-over-a";
     if (diagrams.size() > 1) stem += "-" + map_label(diagram, diagrams);
+    const fs::path file = connection.path().parent_path() / stem;
     for (const char* extension : {".png", ".svg"}) {
-      pictures.push_back(connection.path().parent_path() / (stem + extension));
+      pictures.push_back(file.string() + extension);
       if (!up_to_date(pictures.back(), newest)) draw_phase_diagram(pictures.back(), diagram);
     }
+    filter.q = diagram.q, filter.phi_d_deg = diagram.phi_d_deg, filter.settings = diagram.settings;
+    const fs::path table = file.string() + ".csv";
+    if (!up_to_date(table, newest))
+      install_text(table, map_csv(db::map_points(connection, filter)));
   }
   return pictures;
 }
 
-void draw_named_maps(const db::Connection& connection, const db::MapFilter& filter,
-                     const std::vector<fs::path>& files) {
-  const std::vector<PhaseDiagram> diagrams = phase_diagrams(connection, filter);
-  if (diagrams.empty()) throw InputError(no_job(connection));
-  require_one_settings(connection, settings_of(diagrams));
-  if (diagrams.size() > 1) {
-    std::string choices;
-    for (const PhaseDiagram& d : diagrams)
-      choices += fmt::format("\n  --q {} --phi-d {}", d.q, d.phi_d_deg);
-    throw InputError(fmt::format("{}: holds several maps; choose one by{}",
-                                 connection.path().string(), choices));
+void require_map_files(const std::vector<fs::path>& files, const std::string& option) {
+  for (const fs::path& file : files)
+    if (const std::string kind = file.extension().string();
+        kind != ".png" && kind != ".svg" && kind != ".pdf" && kind != ".csv")
+      throw InputError(
+          fmt::format("{} {}: must end in .png, .svg or .pdf, or in .csv for the numbers alone; "
+                      "for example {} map.png",
+                      option, file.string(), option));
+}
+
+std::vector<fs::path> draw_named_maps(const db::Connection& connection, const NamedMaps& request) {
+  const std::vector<db::MapPoint> points = db::map_points(connection, request.filter);
+  const PhaseFigure figure{phase_diagrams(points), request.quantities};
+  if (points.empty()) throw InputError(no_job(connection));
+  std::vector<fs::path> written;
+  for (const fs::path& file : request.files) {
+    if (file.extension() == ".csv") continue;
+    require_one_settings(connection, settings_of(figure.diagrams));
+    draw_phase_figure(file, figure);
+    written.push_back(file);
   }
-  for (const fs::path& file : files) draw_phase_diagram(file, diagrams.front());
+  for (const fs::path& file : request.files) {
+    const fs::path table = fs::path(file).replace_extension(".csv");
+    if (std::ranges::count(written, table) > 0) continue;
+    install_text(table, map_csv(points));
+    written.push_back(table);
+  }
+  return written;
 }
 
 }  // namespace eerie

@@ -11,7 +11,8 @@
 
 namespace eerie {
 
-/// The maps that a database can draw: one per mass ratio, friction angle and settings.
+/// The maps that these points make: one per mass ratio, friction angle and settings.
+std::vector<PhaseDiagram> phase_diagrams(const std::vector<db::MapPoint>& points);
 std::vector<PhaseDiagram> phase_diagrams(const db::Connection& connection,
                                          const db::MapFilter& filter);
 
@@ -24,14 +25,24 @@ std::string map_label(const PhaseDiagram& diagram, const std::vector<PhaseDiagra
 std::vector<PhaseDiagram> phase_diagrams(const AutoFidelity& campaign);
 
 /// The pictures of a sweep beside its database, "<database>-<sweep>-b-over-a.png" and ".svg" (the
-/// sweep only where it has another name; "-q1-phi40-n5000" behind where it has several maps).
-/// Draws those that are missing or older than the newest result. Returns their paths.
+/// sweep only where it has another name; the map's label behind where it has several maps), and
+/// their numbers as ".csv". Draws those that are missing or older than the newest result. Returns
+/// the paths of the pictures.
 std::vector<std::filesystem::path> draw_sweep_maps(const db::Connection& connection,
                                                    std::int64_t sweep,
                                                    const std::string& sweep_name);
 
-/// The same maps into files that the user named; a sweep with several maps is refused.
-void draw_named_maps(const db::Connection& connection, const db::MapFilter& filter,
-                     const std::vector<std::filesystem::path>& files);
+struct NamedMaps {
+  db::MapFilter filter = {};
+  std::vector<MapQuantity> quantities = {MapQuantity::b_over_a};
+  std::vector<std::filesystem::path> files = {};  ///< .png, .svg, .pdf; .csv: the numbers alone
+};
+/// Throws InputError for a file of another kind.
+void require_map_files(const std::vector<std::filesystem::path>& files, const std::string& option);
+/// Draws one figure of all that the filter leaves into each file, with its numbers beside it, and
+/// returns what was written. Throws InputError where the filter leaves several settings, or several
+/// maps of several quantities; a table may hold several settings.
+std::vector<std::filesystem::path> draw_named_maps(const db::Connection& connection,
+                                                   const NamedMaps& request);
 
 }  // namespace eerie

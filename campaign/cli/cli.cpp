@@ -79,16 +79,6 @@ Action add_query(CLI::App& app) {
   return [a] { return query(*a); };
 }
 
-Action add_map(CLI::App& app) {
-  auto a = std::make_shared<MapArguments>();
-  add_database(app, a->database);
-  add_map_filter(app, a->filter);
-  app.add_option("-o,--output", a->files, "picture: .png, .svg or .pdf; may be repeated")
-      ->required();
-  add_json(app, a->json);
-  return [a] { return map(*a); };
-}
-
 Action add_worker(CLI::App& app) {
   auto a = std::make_shared<WorkerOptions>();
   app.add_option("DIR", a->directory, "job directory")->required();
@@ -183,9 +173,11 @@ constexpr Command commands[] = {
      "  eerie query --phi-d 40 --v 18:22 --theta 15 --format csv\n"
      "  eerie query --class hit-and-run --json",
      add_query},
-    {"map", "Draw b/a over impact speed and angle",
+    {"map", "Draw b/a, or another quantity, over impact speed and angle",
      "  eerie map -o map.png\n"
-     "  eerie map --q 1 --phi-d 50 -o map.pdf -o map.svg",
+     "  eerie map --q 1 --phi-d 50 --fidelity survey -o map.pdf -o map.svg\n"
+     "  eerie map --q 1 --phi-d 50 --quantity b/a,period,class -o panels.pdf\n"
+     "  eerie map -o numbers.csv",
      add_map},
     {"threshold", "Fit v sin(theta) = constant to where elongated remnants form",
      "  eerie threshold\n"

@@ -25,5 +25,6 @@ Action add_threshold(CLI::App& app);
 Action add_check(CLI::App& app);
 Action add_disk(CLI::App& app);
 Action add_lightcurve(CLI::App& app);
+Action add_map(CLI::App& app);
 
 }  // namespace eerie::cli

@@ -56,12 +56,4 @@ struct QueryArguments {
 };
 int query(const QueryArguments& arguments);
 
-struct MapArguments {
-  std::filesystem::path database;
-  db::MapFilter filter;
-  std::vector<std::filesystem::path> files;
-  bool json = false;
-};
-int map(const MapArguments& arguments);
-
 }  // namespace eerie::cli

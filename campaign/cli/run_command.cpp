@@ -28,19 +28,19 @@ namespace {
 /// What --map asks for must be possible before hours of work, not after.
 void require_drawable(const std::vector<fs::path>& files, const std::vector<db::NewJob>& jobs) {
   if (files.empty()) return;
-  for (const fs::path& file : files) {
-    const std::string kind = file.extension().string();
-    if (kind != ".png" && kind != ".svg" && kind != ".pdf")
-      throw InputError(fmt::format("--map {}: must end in .png, .svg or .pdf; for example map.png",
-                                   file.string()));
-  }
-  std::set<std::pair<double, double>> maps;
-  for (const db::NewJob& job : jobs) maps.emplace(job.q, job.phi_d_deg);
-  if (const std::size_t all = std::max(maps.size(), db::count_settings(jobs)); all > 1)
+  require_map_files(files, "--map");
+  if (const std::size_t all = db::count_settings(jobs); all > 1)
+    throw InputError(fmt::format(
+        "--map {}: the sweep has {} settings, which make maps of their own; leave --map "
+        "out, all of them are drawn beside the database",
+        files.front().string(), all));
+  std::set<std::pair<double, double>> panels;
+  for (const db::NewJob& job : jobs) panels.emplace(job.q, job.phi_d_deg);
+  if (panels.size() > most_panels)
     throw InputError(
-        fmt::format("--map {}: the sweep makes at least {} maps (of q, phi_d and settings); leave "
-                    "--map out, all of them are drawn beside the database",
-                    files.front().string(), all));
+        fmt::format("--map {}: the sweep makes {} maps (of q and phi_d), {} are the most in one "
+                    "figure; leave --map out, all of them are drawn beside the database",
+                    files.front().string(), panels.size(), most_panels));
 }
 
 /// The two pictures beside the database and those asked for by --map.
@@ -50,8 +50,9 @@ std::vector<fs::path> draw(const db::Connection& connection, const RunArguments&
   if (!a.maps.empty()) {
     db::MapFilter filter;
     filter.sweep = sweep;
-    draw_named_maps(connection, filter, a.maps);
-    pictures.insert(pictures.end(), a.maps.begin(), a.maps.end());
+    const std::vector<fs::path> written =
+        draw_named_maps(connection, {.filter = filter, .files = a.maps});
+    pictures.insert(pictures.end(), written.begin(), written.end());
   }
   return pictures;
 }

@@ -2,7 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+
+#include "analysis/map_quantity.hpp"
 #include "analysis/palette.hpp"
+#include "analysis/phase_layout.hpp"
 #include "analysis/phase_script.hpp"
 #include "solver/base/error.hpp"
 #include "tests/analysis/phase_diagram_fixture.hpp"
@@ -42,43 +46,160 @@ TEST(PhaseDiagram, OtherExtensionsAreRefused) {
   EXPECT_THROW(draw_phase_diagram("/nonexistent/map", small_map()), InputError);
 }
 
+std::string script(const PhaseDiagram& map, MapQuantity quantity = MapQuantity::b_over_a) {
+  return phase_script({{map}, {quantity}}).commands;
+}
+
+std::size_t count(const std::string& text, const std::string& words) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++found;
+  return found;
+}
+
 TEST(PhaseDiagram, EveryResultShowsColourValueAndClass) {
-  const std::string script = phase_script(small_map()).commands;
+  const std::string text = script(small_map());
   for (const PhaseCell& cell : small_map().cells) {
-    if (cell.outcome.empty()) continue;
-    EXPECT_THAT(script, HasSubstr(hex(b_over_a_colour(cell.b_over_a))));
-    EXPECT_THAT(script, HasSubstr("\"" + std::to_string(cell.b_over_a).substr(0, 4) + "\""));
+    if (!cell.has_result() || !cell.b_over_a) continue;
+    EXPECT_THAT(text, HasSubstr(hex(b_over_a_colour(*cell.b_over_a))));
+    EXPECT_THAT(text, HasSubstr("\"" + std::to_string(*cell.b_over_a).substr(0, 4) + "\""));
   }
   for (const char* letter : {"\"M\"", "\"M?\"", "\"G\"", "\"H\"", "\"D\""})
-    EXPECT_THAT(script, HasSubstr(letter));
+    EXPECT_THAT(text, HasSubstr(letter));
+}
+
+TEST(PhaseDiagram, AResultWithoutTheNumberIsNotPaintedAsZero) {
+  EXPECT_THAT(script(small_map()), Not(HasSubstr("fc rgb '" + hex(b_over_a_colour(0)) + "'")));
+  EXPECT_THAT(script(small_map()), HasSubstr("\"–\""));
 }
 
 TEST(PhaseDiagram, LegendNamesOnlyWhatTheMapShows) {
-  const std::string all = phase_script(small_map()).commands;
-  for (const char* words : {"failed", "not run yet", "unsettled", "a smaller remnant is an EER",
-                            "v sin θ = 5.1 cm/s", "hit-and-run"})
-    EXPECT_THAT(all, HasSubstr(words));
+  const std::string all = script(small_map());
+  const auto optional = {"failed",     "not run yet", "unsettled", "a smaller remnant is an EER",
+                         "v sin θ",    "stale",       "no job",    "has no such number",
+                         "hit-and-run"};
+  for (const char* words : optional) EXPECT_THAT(all, HasSubstr(words));
+  EXPECT_THAT(all, HasSubstr("v sin θ = 5.1 cm/s"));
   EXPECT_THAT(all, Not(HasSubstr("erosion")));
   PhaseDiagram plain = small_map();
   plain.cells.resize(2);
+  plain.cells[0].stale = false;
   plain.threshold_cm_per_s.reset();
-  const std::string few = phase_script(plain).commands;
-  for (const char* words : {"failed", "not run yet", "unsettled", "a smaller remnant", "v sin θ"})
-    EXPECT_THAT(few, Not(HasSubstr(words)));
+  const std::string few = script(plain);
+  for (const char* words : optional) EXPECT_THAT(few, Not(HasSubstr(words)));
 }
 
-TEST(PhaseDiagram, CsvHasOneSortedLinePerCellWithUnits) {
-  EXPECT_EQ(phase_diagram_csv(small_map()),
-            "q,phi_d_deg,particles_per_target,v_imp_cm_per_s,theta_imp_deg,v_imp_over_v_esc,state,"
-            "outcome,b_over_a,eer\n"
-            "1,40,1000,15,10,2.4430,done,perfect-merging,0.9100,0\n"
-            "1,40,1000,18,10,2.9316,done,graze-and-merge,0.4700,0\n"
-            "1,40,1000,22,10,3.5831,done,perfect-merging,0.2400,1\n"
-            "1,40,1000,15,15,2.4430,unsettled,perfect-merging,0.6300,0\n"
-            "1,40,1000,18,15,2.9316,failed,,,\n"
-            "1,40,1000,22,15,3.5831,pending,,,\n"
-            "1,40,1000,15,20,2.4430,done,hit-and-run,0.8200,1\n"
-            "1,40,1000,18,20,2.9316,done,catastrophic-disruption,0.5800,0\n");
+/// What is drawn for the cells of a map, whatever the legend says.
+std::string cells_of(const PhaseDiagram& map) {
+  Canvas canvas(100, 100);
+  draw_cells(canvas, CellGrid(map), {14, 17, 9, 12, {{0, 0}, {100, 100}}}, {});
+  return canvas.commands();
+}
+
+TEST(PhaseDiagram, MissingPendingFailedUnsettledAndStaleImpactsLookDifferentFromOneAnother) {
+  // The same map but for the place at 16 cm/s and 10 deg.
+  PhaseDiagram map;
+  const PhaseCell settled{16, 10, CellState::done, 0.5, "erosion"};
+  map.cells = {settled, settled, settled};
+  map.cells[0].v_imp_cm_per_s = 15, map.cells[1].theta_imp_deg = 11;
+  map.cells[2].v_imp_cm_per_s = 15, map.cells[2].theta_imp_deg = 11;
+  std::set<std::string> looks = {cells_of(map)};
+  map.cells.push_back(settled);
+  for (const CellState state :
+       {CellState::pending, CellState::failed, CellState::unsettled, CellState::done}) {
+    map.cells.back().state = state;
+    looks.insert(cells_of(map));
+  }
+  map.cells.back().stale = true;
+  looks.insert(cells_of(map));
+  EXPECT_EQ(looks.size(), 6u);
+}
+
+TEST(PhaseDiagram, WordsThatHaveNoRoomAreLeftOut) {
+  PhaseDiagram map = small_map();
+  const std::string wide = script(map);
+  for (int v = 30; v < 60; ++v) map.cells.push_back({v + 0.5, 10, CellState::pending});
+  const std::string narrow = script(map);
+  EXPECT_THAT(wide, HasSubstr("\"0.91\""));
+  EXPECT_THAT(narrow, Not(HasSubstr("\"0.91\"")));
+  EXPECT_THAT(narrow, HasSubstr(hex(b_over_a_colour(0.91))));
+}
+
+TEST(PhaseDiagram, ClassesHaveTheirColoursAndTheirShareWhereSeedsDiffer) {
+  const std::string text = script(small_map(), MapQuantity::outcome);
+  EXPECT_THAT(text, HasSubstr(hex(outcome_colour("hit-and-run"))));
+  EXPECT_EQ(count(text, "\"75%\""), 1u);
+  EXPECT_THAT(text, Not(HasSubstr("colorbox vertical")));
+  PhaseDiagram sure = small_map();
+  sure.cells[1].class_share = 1;
+  EXPECT_THAT(script(sure, MapQuantity::outcome), Not(HasSubstr("%")));
+}
+
+TEST(PhaseDiagram, QuantitiesStandBesideTheirScale) {
+  PhaseDiagram map = small_map();
+  map.cells[0].period_h = 8, map.cells[1].period_h = 123;
+  const std::string text = script(map, MapQuantity::period);
+  EXPECT_THAT(text, HasSubstr("\"8.0\""));
+  EXPECT_THAT(text, HasSubstr("\"123\""));
+  EXPECT_THAT(text, HasSubstr("spin period, largest remnant (h)"));
+  EXPECT_THAT(text, Not(HasSubstr("b/a")));
+}
+
+TEST(PhaseFigure, HasAPanelForEachPlaceWithOneScale) {
+  PhaseDiagram other = small_map();
+  other.phi_d_deg = 50, other.threshold_cm_per_s = 7.4;
+  for (PhaseCell& cell : other.cells) cell.v_imp_cm_per_s += 10;
+  const std::string text = phase_script({{small_map(), other}}).commands;
+  EXPECT_EQ(count(text, "plot $none"), 2u);
+  EXPECT_EQ(count(text, "set colorbox vertical"), 1u);
+  EXPECT_EQ(count(text, "set xrange [13.5:34]"), 2u);
+  EXPECT_THAT(text, HasSubstr("= 40°,  v sin θ = 5.1 cm/s\""));
+  EXPECT_THAT(text, HasSubstr("= 50°,  v sin θ = 7.4 cm/s\""));
+}
+
+TEST(PhaseFigure, HasAPanelForEachQuantityWithItsOwnScale) {
+  const std::string text =
+      phase_script(
+          {{small_map()}, {MapQuantity::b_over_a, MapQuantity::m_lr, MapQuantity::outcome}})
+          .commands;
+  EXPECT_EQ(count(text, "plot $none"), 3u);
+  EXPECT_EQ(count(text, "set colorbox vertical"), 2u);
+}
+
+TEST(PhaseFigure, PanelsStandInThePageAndApart) {
+  for (std::size_t n = 1; n <= most_panels; ++n) {
+    const PhaseFigure figure{std::vector<PhaseDiagram>(n, small_map())};
+    const PhaseLayout page = phase_layout(figure, 20);
+    ASSERT_EQ(page.panels.size(), n);
+    for (std::size_t a = 0; a < n; ++a) {
+      const Area& area = page.panels[a].frame.area;
+      EXPECT_GT(area.low.y, 20);
+      EXPECT_LT(area.high.y, page.height);
+      EXPECT_GT(area.low.x, 0);
+      EXPECT_LT(area.high.x, page.width);
+      EXPECT_GT(area.width(), 130);
+      EXPECT_GT(area.height(), 100);
+      for (std::size_t b = 0; b < a; ++b) {
+        const Area& other = page.panels[b].frame.area;
+        EXPECT_TRUE(other.high.x < area.low.x || area.high.y < other.low.y) << n << ": " << a;
+      }
+    }
+  }
+}
+
+TEST(PhaseFigure, TooMuchForOnePictureIsRefused) {
+  const auto refused = [](const PhaseFigure& figure) -> std::string {
+    try {
+      draw_phase_figure("/nonexistent/map.png", figure);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "it was drawn";
+  };
+  EXPECT_THAT(refused({{small_map(), small_map()}, {MapQuantity::b_over_a, MapQuantity::m_lr}}),
+              HasSubstr("choose one quantity, or one mass ratio and friction angle"));
+  EXPECT_THAT(refused({std::vector<PhaseDiagram>(most_panels + 1, small_map())}),
+              HasSubstr("25 panels are too many for one figure, 24 are the most"));
+  EXPECT_THAT(refused({}), HasSubstr("there is none"));
 }
 
 }  // namespace
