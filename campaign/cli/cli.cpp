@@ -73,19 +73,6 @@ Action add_analyse(CLI::App& app) {
   return [a] { return analyse(*a); };
 }
 
-Action add_query(CLI::App& app) {
-  auto a = std::make_shared<QueryArguments>();
-  add_database(app, a->database);
-  add_point(app, *a);
-  app.add_option("--class", a->outcome_class, "outcome class");
-  app.add_flag("--eer", a->eer, "only impacts with an extremely elongated remnant");
-  app.add_option("--format", a->format, "table, csv or json")
-      ->check(CLI::IsMember({"table", "csv", "json"}))
-      ->capture_default_str();
-  add_json(app, a->json);
-  return [a] { return query(*a); };
-}
-
 Action add_map(CLI::App& app) {
   auto a = std::make_shared<MapArguments>();
   add_database(app, a->database);
@@ -185,10 +172,12 @@ constexpr Command commands[] = {
      "  eerie doctor\n"
      "  eerie doctor --fix",
      add_doctor},
-    {"query", "List results",
+    {"query", "List results, remnants or points of the map",
      "  eerie query --eer\n"
      "  eerie query --phi-d 40 --v 18:22 --theta 15 --format csv\n"
-     "  eerie query --class hit-and-run --json",
+     "  eerie query --class hit-and-run --json\n"
+     "  eerie query --of remnants --where b_over_a=0:0.3 --sort=-mass_kg --limit 10\n"
+     "  eerie query --of maps --columns v_imp_cm_per_s,theta_imp_deg,p_eer -o map.csv",
      add_query},
     {"map", "Draw b/a over impact speed and angle",
      "  eerie map -o map.png\n"

@@ -17,6 +17,7 @@ Action add_wall_limit(CLI::App& app);
 Action add_status(CLI::App& app);
 Action add_log(CLI::App& app);
 Action add_show(CLI::App& app);
+Action add_query(CLI::App& app);
 Action add_doctor(CLI::App& app);
 Action add_converge(CLI::App& app);
 Action add_chart(CLI::App& app);

@@ -51,17 +51,6 @@ struct AnalyseArguments {
 };
 int analyse(const AnalyseArguments& arguments);
 
-struct QueryArguments {
-  std::filesystem::path database;
-  std::optional<double> q, phi_d_deg;
-  std::string v, theta;  ///< "LO:HI" or one number; empty: all
-  std::string outcome_class;
-  bool eer = false;
-  std::string format = "table";
-  bool json = false;
-};
-int query(const QueryArguments& arguments);
-
 struct MapArguments {
   std::filesystem::path database;
   std::optional<double> q, phi_d_deg;
