@@ -179,6 +179,12 @@ constexpr Command commands[] = {
      "  eerie query --of remnants --where b_over_a=0:0.3 --sort=-mass_kg --limit 10\n"
      "  eerie query --of maps --columns v_imp_cm_per_s,theta_imp_deg,p_eer -o map.csv",
      add_query},
+    {"catalogue", "Exchange impacts and outcomes with catalogues of collisions",
+     "  eerie catalogue export --db fig2b.sqlite --fidelity survey -o fig2b.csv\n"
+     "  eerie catalogue import published.csv -o published.json\n"
+     "  eerie catalogue import giant-impacts.csv --radius 50 --fidelity survey\n"
+     "  eerie catalogue compare published.csv --db published.sqlite",
+     add_catalogue},
     {"map", "Draw b/a over impact speed and angle",
      "  eerie map -o map.png\n"
      "  eerie map --q 1 --phi-d 50 -o map.pdf -o map.svg",

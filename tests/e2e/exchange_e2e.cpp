@@ -113,5 +113,25 @@ TEST_F(Exchange, TheDocumentedLinesOfPandasRun) {
   EXPECT_THAT(read_file(folder / "python.out"), HasSubstr("perfect-merging"));
 }
 
+TEST_F(Exchange, ACatalogueGoesOutAndComesBackAsTheSameJobs) {
+  const Ended out = ask({"catalogue", "export", "-o", "ours.csv"});
+  EXPECT_THAT(out.out, HasSubstr("ours.csv: 6 impacts")) << out.err;
+  ASSERT_EQ(eerie({"catalogue", "import", "ours.csv"}).code, 0);
+  const json again = json::parse(ask({"expand", "ours.json", "--json"}).out);
+  EXPECT_EQ(again.at("jobs"), 6);
+  EXPECT_EQ(again.at("new"), 0);
+  const Ended beside = ask({"catalogue", "compare", "ours.csv", "-o", "beside.csv"});
+  EXPECT_THAT(beside.out, HasSubstr("the class is the same in 6 of 6")) << beside.err;
+  EXPECT_THAT(read_file(folder / "beside.csv"), testing::StartsWith("run_id,line,v_imp_cm_per_s"));
+}
+
+TEST_F(Exchange, ABadCatalogueMakesNoSweep) {
+  install_text(folder / "bad.csv", "v_imp_m_per_s,theta_imp_deg,m_target_kg,q\n0.2,95,1e9,1\n");
+  const Ended ended = eerie({"catalogue", "import", "bad.csv"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("bad.csv, line 2, theta_imp_deg = 95"));
+  EXPECT_FALSE(fs::exists(folder / "bad.json"));
+}
+
 }  // namespace
 }  // namespace eerie
