@@ -185,6 +185,11 @@ constexpr Command commands[] = {
      "  eerie catalogue import giant-impacts.csv --radius 50 --fidelity survey\n"
      "  eerie catalogue compare published.csv --db published.sqlite",
      add_catalogue},
+    {"sizes", "Say and draw how many remnants there are above each mass",
+     "  eerie sizes --db fig2b.sqlite --fidelity survey -o sizes.pdf\n"
+     "  eerie sizes --class hit-and-run -o sizes.svg -o sizes.csv\n"
+     "  eerie sizes --where job=12 --json",
+     add_sizes},
     {"map", "Draw b/a over impact speed and angle",
      "  eerie map -o map.png\n"
      "  eerie map --q 1 --phi-d 50 -o map.pdf -o map.svg",

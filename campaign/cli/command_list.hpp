@@ -19,6 +19,7 @@ Action add_log(CLI::App& app);
 Action add_show(CLI::App& app);
 Action add_query(CLI::App& app);
 Action add_catalogue(CLI::App& app);
+Action add_sizes(CLI::App& app);
 Action add_doctor(CLI::App& app);
 Action add_converge(CLI::App& app);
 Action add_chart(CLI::App& app);

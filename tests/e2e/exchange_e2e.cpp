@@ -71,6 +71,8 @@ TEST_F(Exchange, QueriesThatCannotBeSayWhyAndWriteNothing) {
       {{"query", "--where", "b_over_a", "-o", "x.csv"}, "COLUMN=LO:HI"},
       {{"query", "--of", "jobs"}, "--of"},
       {{"query", "-o", "x.parquet"}, "call it .csv, .json or .txt"},
+      {{"sizes", "-o", "x.gif"}, ".png, .svg or .pdf"},
+      {{"sizes", "--v", "90"}, "no result matches"},
   };
   for (const auto& [arguments, expected] : cases) {
     const Ended ended = ask(arguments);
@@ -131,6 +133,16 @@ TEST_F(Exchange, ABadCatalogueMakesNoSweep) {
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("bad.csv, line 2, theta_imp_deg = 95"));
   EXPECT_FALSE(fs::exists(folder / "bad.json"));
+}
+
+TEST_F(Exchange, SizesAreSaidDrawnAndWritten) {
+  const Ended ended = ask({"sizes", "-o", "s.svg", "-o", "s.csv"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("6 remnants of at least 100 particles"));
+  EXPECT_THAT(read_file(folder / "s.svg"), HasSubstr("100 particles"));
+  EXPECT_THAT(read_file(folder / "s.csv"), HasSubstr("survey,1000,6,0.95,1,"));
+  const json one = json::parse(ask({"sizes", "--where", "job=1", "--json"}).out);
+  EXPECT_EQ(one.at("distributions").at(0).at("impacts"), 1);
 }
 
 }  // namespace
