@@ -68,11 +68,12 @@ AutoFidelity::AutoFidelity(const Sweep& sketch, const Sweep& survey, AutoOptions
                     "more, or ask for less",
                     options.confidence, options.most_seeds, (n + 0.5) / (n + 1),
                     std::ceil((options.confidence - 0.5) / (1 - options.confidence) - 1e-9)));
-  for (const Axis& axis : sketch.axes)
-    if (axis.path == "numerics.seed")
-      throw InputError(fmt::format(
-          "{}: grid: numerics.seed is chosen by --fidelity auto and is an axis too; leave it out",
-          sketch.where));
+  std::vector<std::string> varied = sketch.points.paths;
+  for (const Axis& axis : sketch.axes) varied.push_back(axis.path);
+  if (std::ranges::find(varied, "numerics.seed") != varied.end())
+    throw InputError(fmt::format(
+        "{}: grid: numerics.seed is chosen by --fidelity auto and is an axis too; leave it out",
+        sketch.where));
   const std::vector<Scene> sketches = expand(sketch), surveys = expand(survey);
   for (std::size_t k = 0; k < sketches.size(); ++k)
     cells_.push_back({sketches[k], surveys[k], {}, {}, {}, ""});

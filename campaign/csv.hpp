@@ -11,4 +11,9 @@ inline std::string csv_quoted(const std::string& text) {
   return out + "\"";
 }
 
+/// The same, quoted only where it must be.
+inline std::string csv_field(const std::string& text) {
+  return text.find_first_of(",\"\r\n") == std::string::npos ? text : csv_quoted(text);
+}
+
 }  // namespace eerie

@@ -28,7 +28,7 @@ std::string header() {
       "q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,v_over_v_esc,v_sin_theta_cm_per_s,settings,"
       "fidelity,"
       "particles_per_target,jobs,done,failed,stale,unsettled,seeds,b_over_a,b_over_a_std,c_over_a,"
-      "c_over_a_std,m_lr_over_m_total,m_lr_over_m_total_std,period_h,period_h_std,n_eer,n_eer_std,"
+      "c_over_a_std,m_lr_over_m_total,m_lr_over_m_total_std,period_h,period_std_h,n_eer,n_eer_std,"
       "p_eer,class,class_share";
   for (const OutcomeName& row : outcome_names) text += "," + share_column(row);
   return text + "\n";

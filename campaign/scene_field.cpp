@@ -1,13 +1,12 @@
 #include "campaign/scene_field.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
+#include "campaign/closest_names.hpp"
 #include "solver/base/error.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/scene/validate.hpp"
@@ -37,37 +36,10 @@ void collect_leaves(const json& schema, const std::string& prefix,
   }
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-/// How far `given` is from a path: people misspell whole paths, forget all but the last part, or
-/// shorten that.
-std::size_t distance(const std::string& given, const std::string& path) {
-  const std::string last = path.substr(path.rfind('.') + 1);
-  if (given.size() > 2 && last.find(given) != std::string::npos) return 1;
-  return std::min(edit_distance(given, path), edit_distance(given, last));
-}
-
 std::string closest_fields(const std::string& given) {
   std::vector<std::string> paths;
   collect_leaves(scene_schema(), "", paths);
-  std::stable_sort(paths.begin(), paths.end(), [&](const std::string& a, const std::string& b) {
-    return distance(given, a) < distance(given, b);
-  });
-  paths.resize(3);
-  return fmt::format("{}", fmt::join(paths, ", "));
+  return closest_names(given, std::move(paths));
 }
 
 }  // namespace

@@ -117,6 +117,14 @@ std::vector<ResultRow> results(const Connection& connection, const ResultFilter&
   return rows;
 }
 
+std::vector<ResultRow> selected_results(const Connection& connection, ViewQuery query) {
+  query.view = View::results;
+  query.columns.clear();
+  std::vector<ResultRow> rows;
+  each_row(connection, query, [&](SQLite::Statement& row) { rows.push_back(result_row(row)); });
+  return rows;
+}
+
 std::vector<Remnant> remnants(const Connection& connection, std::int64_t job) {
   std::vector<Remnant> rows;
   connection.read([&](SQLite::Database& sql) {

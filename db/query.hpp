@@ -8,6 +8,7 @@
 
 #include "db/connection.hpp"
 #include "db/rows.hpp"
+#include "db/view.hpp"
 
 namespace eerie::db {
 
@@ -43,6 +44,9 @@ struct ResultRow {
 
 /// Ordered by q, phi_d, v_imp, theta_imp, seed.
 std::vector<ResultRow> results(const Connection& connection, const ResultFilter& filter);
+
+/// Every column of the results that a query of the view finds, in its order.
+std::vector<ResultRow> selected_results(const Connection& connection, ViewQuery query);
 
 /// The remnants of a job, the most massive first.
 std::vector<Remnant> remnants(const Connection& connection, std::int64_t job);

@@ -70,7 +70,7 @@ SELECT j.q, j.phi_d_deg, j.v_imp_cm_per_s, j.theta_imp_deg, j.v_over_v_esc,
        sqrt(max(avg(r.m_lr_over_m_total * r.m_lr_over_m_total) - avg(r.m_lr_over_m_total) * avg(r.m_lr_over_m_total), 0)
             * count(r.m_lr_over_m_total) / nullif(count(r.m_lr_over_m_total) - 1, 0)) AS m_lr_over_m_total_std,
        sqrt(max(avg(r.period_h * r.period_h) - avg(r.period_h) * avg(r.period_h), 0)
-            * count(r.period_h) / nullif(count(r.period_h) - 1, 0)) AS period_h_std
+            * count(r.period_h) / nullif(count(r.period_h) - 1, 0)) AS period_std_h
 FROM jobs j LEFT JOIN job_results r ON r.job_id = j.id
      LEFT JOIN settings now ON now.key = 'solver_version'
      LEFT JOIN classes c ON c.place = 1 AND c.q = j.q AND c.phi_d_deg = j.phi_d_deg

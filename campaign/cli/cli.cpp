@@ -66,19 +66,6 @@ Action add_solve(CLI::App& app) {
   return [a] { return solve(*a); };
 }
 
-Action add_query(CLI::App& app) {
-  auto a = std::make_shared<QueryArguments>();
-  add_database(app, a->database);
-  add_point(app, *a);
-  app.add_option("--class", a->outcome_class, "outcome class");
-  app.add_flag("--eer", a->eer, "only impacts with an extremely elongated remnant");
-  app.add_option("--format", a->format, "table, csv or json")
-      ->check(CLI::IsMember({"table", "csv", "json"}))
-      ->capture_default_str();
-  add_json(app, a->json);
-  return [a] { return query(*a); };
-}
-
 Action add_worker(CLI::App& app) {
   auto a = std::make_shared<WorkerOptions>();
   app.add_option("DIR", a->directory, "job directory")->required();
@@ -168,11 +155,25 @@ constexpr Command commands[] = {
      "  eerie doctor\n"
      "  eerie doctor --fix",
      add_doctor},
-    {"query", "List results",
+    {"query", "List results, remnants or points of the map",
      "  eerie query --eer\n"
      "  eerie query --phi-d 40 --v 18:22 --theta 15 --format csv\n"
-     "  eerie query --class hit-and-run --json",
+     "  eerie query --class hit-and-run --json\n"
+     "  eerie query --of remnants --where b_over_a=0:0.3 --sort=-mass_kg --limit 10\n"
+     "  eerie query --of maps --columns v_imp_cm_per_s,theta_imp_deg,p_eer -o map.csv",
      add_query},
+    {"catalogue", "Exchange impacts and outcomes with catalogues of collisions",
+     "  eerie catalogue export --db fig2b.sqlite --fidelity survey -o fig2b.csv\n"
+     "  eerie catalogue import published.csv -o published.json\n"
+     "  eerie catalogue import giant-impacts.csv --radius 50 --fidelity survey\n"
+     "  eerie catalogue compare published.csv --db published.sqlite",
+     add_catalogue},
+    {"sizes", "Say and draw how many remnants there are above each mass",
+     "  eerie sizes --db fig2b.sqlite --fidelity survey -o sizes.pdf\n"
+     "  eerie sizes --class hit-and-run -o sizes.svg -o sizes.csv\n"
+     "  eerie sizes --where job=12 --json",
+     add_sizes},
+    {"map", "Draw b/a over impact speed and angle",
     {"map", "Draw b/a, or another quantity, over impact speed and angle",
      "  eerie map -o map.png\n"
      "  eerie map --q 1 --phi-d 50 --fidelity survey -o map.pdf -o map.svg\n"

@@ -45,15 +45,5 @@ struct SolveArguments {
 };
 int solve(const SolveArguments& arguments);
 
-struct QueryArguments {
-  std::filesystem::path database;
-  std::optional<double> q, phi_d_deg;
-  std::string v, theta;  ///< "LO:HI" or one number; empty: all
-  std::string outcome_class;
-  bool eer = false;
-  std::string format = "table";
-  bool json = false;
-};
-int query(const QueryArguments& arguments);
 
 }  // namespace eerie::cli

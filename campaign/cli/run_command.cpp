@@ -6,8 +6,9 @@
 #include <set>
 
 #include "campaign/cli/commands.hpp"
-#include "campaign/cli/result_columns.hpp"
+#include "campaign/cli/results_table.hpp"
 #include "campaign/cli/text_table.hpp"
+#include "campaign/cli/view_text.hpp"
 #include "campaign/cli/work.hpp"
 #include "campaign/job.hpp"
 #include "campaign/job_directory.hpp"
@@ -67,12 +68,10 @@ json report_json(const db::Connection& connection, const RunArguments& a, std::i
                         {"message", f.example_message}});
   json paths = json::array();
   for (const fs::path& picture : pictures) paths.push_back(picture.string());
-  db::ResultFilter filter;
-  filter.sweep = sweep;
   return {{"sweep", name},
           {"database", a.database.string()},
           {"jobs", {{"total", t.total}, {"done", t.done}, {"failed", t.failed}, {"left", t.left}}},
-          {"results", results_json(db::results(connection, filter))},
+          {"results", records(db::rows(connection, {.sweeps = {sweep}}))},
           {"failures", std::move(failures)},
           {"pictures", std::move(paths)}};
 }

@@ -9,11 +9,15 @@
 namespace eerie::cli {
 namespace {
 
+bool starts_with_digit(const std::string& text, std::size_t at) {
+  return text.size() > at && std::isdigit(static_cast<unsigned char>(text[at])) != 0;
+}
+
 /// Digits, or a dash for "none", below the header mean numbers.
 bool numeric(const std::vector<std::vector<std::string>>& rows, std::size_t column) {
   return rows.size() > 1 && std::all_of(rows.begin() + 1, rows.end(), [&](const auto& row) {
-           return row[column].empty() || row[column] == "-" ||
-                  std::isdigit(static_cast<unsigned char>(row[column][0])) != 0;
+           const std::string& text = row[column];
+           return text.empty() || text == "-" || starts_with_digit(text, text[0] == '-' ? 1 : 0);
          });
 }
 

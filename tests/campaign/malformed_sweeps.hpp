@@ -23,6 +23,9 @@ inline std::string with_grid(const std::string& grid) {
 inline std::string with_v(const std::string& axis) {
   return with_grid(R"({"v_imp_cm_per_s": )" + axis + "}");
 }
+inline std::string with_points(const std::string& points) {
+  return R"({"name": "s", "points": )" + points + "}";
+}
 inline std::string with_name(const std::string& name) {
   return R"({"name": )" + name + R"(, "grid": {"q": [1]}})";
 }
@@ -70,7 +73,8 @@ inline const std::vector<MalformedSweep>& malformed_sweeps() {
       {"NoGrid", R"({"name": "s"})", "\"grid\" is missing"},
       {"UnknownField", R"({"name": "s", "grid": {"q": [1]}, "jobs": 3})",
        "sweep.jobs: there is no such field"},
-      {"MisspeltGrid", R"({"name": "s", "gird": {"q": [1]}})", "\"grid\" is missing"},
+      {"MisspeltGrid", R"({"name": "s", "gird": {"q": [1]}})",
+       "sweep.gird: there is no such field"},
       {"NameNumber", with_name("7"), "must be a string"},
       {"NameNull", with_name("null"), "must be a string"},
       {"NameEmpty", with_name("\"\""), "1 to 64 letters"},
@@ -182,6 +186,23 @@ inline const std::vector<MalformedSweep>& malformed_sweeps() {
        "more than 1000000 values"},
       {"RangeStepTiny", with_v(R"({"from": 12, "to": 36, "step": 1e-300})"),
        "more than 1000000 values"},
+      // points
+      {"PointsNull", with_points("null"), "must be an array"},
+      {"PointsEmpty", with_points("[]"), "\"grid\" is missing"},
+      {"PointsOfNumbers", with_points("[20]"), "points[0]: must be an object"},
+      {"PointEmpty", with_points(R"([{"q": 1}, {}])"), "points[1]: must be an object"},
+      {"PointList", with_points(R"([{"q": [1]}])"), "points[0].q = [1]: must be a number"},
+      {"PointUnknown", with_points(R"([{"v_imp": 20}])"), "the closest are impact.v_imp_cm_per_s"},
+      {"PointRange", with_points(R"([{"q": 1}, {"q": 2}])"), "points[1].q"},
+      {"PointTwoNames", with_points(R"([{"q": 1, "impact.q": 0.5}])"), "a second time"},
+      {"PointsUnlike", with_points(R"([{"q": 1}, {"v_imp_cm_per_s": 20}])"), "the same fields"},
+      {"PointTwice", with_points(R"([{"q": 1}, {"q": 0.5}, {"q": 1.0}])"),
+       "points[2]: is the same as"},
+      {"PointAndAxis", R"({"name": "s", "points": [{"q": 1}], "grid": {"q": [1]}})",
+       "in the points and an axis"},
+      {"PointAndScene", R"({"name": "s", "points": [{"q": 1}], "scene": {"impact": {"q": 1}}})",
+       "in the points too"},
+      {"PointSmallImpactor", with_points(R"([{"q": 1}, {"q": 0.001}])"), "would have 5 particles"},
       {"TooManyJobs",
        with_grid(
            R"({"v_imp_cm_per_s": {"from": 1, "to": 1000, "step": 1}, "numerics.seed": {"from": 0, "to": 1000, "step": 1}})"),

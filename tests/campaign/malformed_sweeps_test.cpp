@@ -37,8 +37,9 @@ TEST(MalformedSweeps, AreAtLeastAHundredDifferentFiles) {
 }
 
 TEST(MalformedSweeps, TheirSurroundingsAreSound) {
-  for (const std::string& text : {test::with_scene("{}"), test::with_grid(R"({"q": [1]})"),
-                                  test::with_v("[20]"), test::with_name("\"s\"")})
+  for (const std::string& text :
+       {test::with_scene("{}"), test::with_grid(R"({"q": [1]})"), test::with_v("[20]"),
+        test::with_name("\"s\""), test::with_points(R"([{"q": 1}])")})
     EXPECT_EQ(expand(parse_sweep(parse_json(text, "good.json"), {}, "good.json")).size(), 1u)
         << text;
 }

@@ -85,6 +85,29 @@ TEST(Sweep, IsTheSameDocumentWhenGivenAsRangeOrAsList) {
   EXPECT_NE(document(range), document(sweep_of(R"({"name": "s", "grid": {"q": [1]}})")));
 }
 
+TEST(Sweep, TakesPointsThatAreNoGridAndCombinesThemWithOne) {
+  const Sweep sweep = sweep_of(R"({"name": "s",
+    "points": [{"v_imp_cm_per_s": 12, "q": 1}, {"q": 0.5, "v_imp_cm_per_s": 30}],
+    "grid": {"numerics.seed": [1, 2, 3]}})");
+  EXPECT_EQ(point_count(sweep), 6u);
+  std::vector<std::tuple<double, double, std::int64_t>> points;
+  for (const Scene& s : expand(sweep))
+    points.emplace_back(s.impact.q, s.impact.v_imp_cm_per_s, s.numerics.seed);
+  const std::vector<std::tuple<double, double, std::int64_t>> wanted = {
+      {1, 12, 1}, {1, 12, 2}, {1, 12, 3}, {0.5, 30, 1}, {0.5, 30, 2}, {0.5, 30, 3}};
+  EXPECT_EQ(points, wanted);
+}
+
+TEST(Sweep, MakesTheJobsOfAGridOfItsPoints) {
+  const Sweep grid =
+      sweep_of(R"({"name": "s", "grid": {"q": [1, 0.5], "v_imp_cm_per_s": [20, 30]}})");
+  const Sweep points = sweep_of(R"({"name": "s", "points": [
+    {"q": 1, "v_imp_cm_per_s": 20}, {"q": 1, "v_imp_cm_per_s": 30},
+    {"q": 0.5, "v_imp_cm_per_s": 20}, {"q": 0.5, "impact.v_imp_cm_per_s": 30.0}]})");
+  EXPECT_EQ(hashes(points), hashes(grid));
+  EXPECT_EQ(document(points), document(sweep_of(document(points))));
+}
+
 TEST(Sweep, IsChangedByOverridesBeforeItExpands) {
   const Sweep sweep = sweep_of(
       R"({"name": "s", "scene": {"numerics": {"seed": 5}}, "grid": {"q": [1, 0.5]}})",

@@ -1,11 +1,9 @@
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
 #include "campaign/cli/commands.hpp"
 #include "campaign/cli/options.hpp"
 #include "campaign/cli/progress_line.hpp"
-#include "campaign/cli/result_columns.hpp"
+#include "campaign/cli/results_table.hpp"
 #include "campaign/cli/text_table.hpp"
 #include "solver/base/error.hpp"
 
@@ -33,6 +31,7 @@ TEST(TextTable, AlignsNumbersRightAndWordsLeft) {
             " v  class\n"
             " 5  a\n"
             "15  merge\n");
+  EXPECT_EQ(text_table({{"x"}, {"-5"}, {"10"}}), " x\n-5\n10\n");
 }
 
 TEST(Duration, IsInTheUnitThatAPersonWouldUse) {
@@ -73,22 +72,6 @@ TEST(ResultsTable, ExplainsEveryMarkThatItUsesAndNoOther) {
   const std::string table = results_table({unsettled});
   EXPECT_THAT(table, HasSubstr("*  the largest remnant is extremely elongated"));
   EXPECT_THAT(table, HasSubstr("~  not settled"));
-}
-
-TEST(ResultsCsv, HasOneFieldPerColumnAndQuotesWhatNeedsIt) {
-  db::ResultRow r = row(15, 0.5);
-  r.result.unsettled_reason = "1, 2 and \"3\"";
-  const std::string csv = results_csv({r});
-  EXPECT_THAT(csv, HasSubstr("v_imp_cm_per_s,theta_imp_deg"));
-  EXPECT_THAT(csv, HasSubstr("\"1, 2 and \"\"3\"\"\""));
-  EXPECT_EQ(results_csv({}), csv.substr(0, csv.find('\n') + 1));
-}
-
-TEST(ResultsJson, WritesUnknownValuesAsNull) {
-  db::ResultRow r = row(15, 0.5);
-  r.result.period_h = std::nullopt;
-  EXPECT_TRUE(results_json({r}).at(0).at("period_h").is_null());
-  EXPECT_EQ(results_json({}), nlohmann::json::array());
 }
 
 TEST(ParseDuration, TakesTheUnitsOfPeopleAndNothingElse) {

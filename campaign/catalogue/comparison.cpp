@@ -1,0 +1,94 @@
+#include "campaign/catalogue/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "analysis/impact_run.hpp"
+#include "db/jobs.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace eerie {
+namespace {
+
+constexpr double same_bodies = 1e-6;  // relative, in radius and density
+
+bool close(double a, double b) { return std::abs(a - b) <= same_bodies * std::abs(b); }
+
+db::Condition near(const char* column, double value, double tolerance) {
+  return {.column = column, .lo = value - tolerance, .hi = value + tolerance};
+}
+
+db::ViewQuery at_point_of(const CatalogueImpact& impact) {
+  db::ViewQuery query;
+  query.conditions = {near("v_imp_cm_per_s", impact.v_imp_cm_per_s, same_v_cm_per_s),
+                      near("theta_imp_deg", impact.theta_imp_deg, same_theta_deg),
+                      near("q", impact.q, same_q),
+                      {.column = "stale", .hi = 0}};
+  if (impact.phi_d_deg)
+    query.conditions.push_back(near("phi_d_deg", *impact.phi_d_deg, same_phi_d_deg));
+  return query;
+}
+
+/// Sums over the runs of one settings.
+struct Tally {
+  std::vector<double> m_lr;
+  double m_slr = 0, b_over_a = 0;
+  std::size_t shapes = 0;
+  std::map<std::string, std::size_t> classes;
+
+  void add(const db::Result& r) {
+    m_lr.push_back(r.m_lr_over_m_total);
+    m_slr += r.m_slr_over_m_total;
+    ++classes[r.outcome_class];
+    if (r.b_over_a) b_over_a += *r.b_over_a, ++shapes;
+  }
+  void finish(Comparison& c) const {
+    const auto n = static_cast<double>(m_lr.size());
+    c.runs = m_lr.size();
+    for (const double m : m_lr) c.m_lr_over_m_total += m / n;
+    double squares = 0;
+    for (const double m : m_lr) squares += (m - c.m_lr_over_m_total) * (m - c.m_lr_over_m_total);
+    if (c.runs > 1) c.m_lr_scatter = std::sqrt(squares / (n - 1));
+    c.m_slr_over_m_total = m_slr / n;
+    if (shapes > 0) c.b_over_a = b_over_a / static_cast<double>(shapes);
+    for (const auto& [name, count] : classes)
+      if (count > c.of_class) c.outcome_class = name, c.of_class = count;
+  }
+};
+
+bool has_bodies(const db::Connection& connection, std::int64_t job, const CatalogueImpact& impact) {
+  const Scene scene = parse_scene(nlohmann::json::parse(db::scene(connection, job)));
+  return close(scene.target.radius_m, impact.radius_m) &&
+         close(scene.material.rho0_kg_per_m3, impact.rho0_kg_per_m3);
+}
+
+}  // namespace
+
+std::optional<double> Comparison::m_lr_difference() const {
+  if (runs == 0 || !row->outcome.m_lr_over_m_total) return std::nullopt;
+  return m_lr_over_m_total - *row->outcome.m_lr_over_m_total;
+}
+
+std::vector<Comparison> compare(const db::Connection& connection, const Catalogue& catalogue) {
+  std::vector<Comparison> all;
+  for (const CatalogueRow& row : catalogue.rows) {
+    std::map<std::pair<std::int64_t, std::string>, Tally> tallies;
+    for (const db::ResultRow& found : db::selected_results(connection, at_point_of(row.impact)))
+      if (has_bodies(connection, found.job, row.impact))
+        tallies[{found.particles_per_target,
+                 found.fidelity.empty() ? fmt::format("{} particles", found.particles_per_target)
+                                        : found.fidelity}]
+            .add(found.result);
+    if (tallies.empty()) all.push_back({.row = &row});
+    for (const auto& [settings, tally] : tallies) {
+      all.push_back({.row = &row, .settings = settings.second});
+      tally.finish(all.back());
+    }
+  }
+  return all;
+}
+
+}  // namespace eerie

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eerie {
+
+/// What a column of a catalogue of collisions may hold.
+enum class Quantity {
+  run_id,
+  v_imp,
+  v_imp_over_v_esc,
+  theta_imp,
+  b,
+  m_target,
+  m_projectile,
+  m_total,
+  q,
+  r_target,
+  rho,
+  phi_d,
+  m_lr,
+  m_slr,
+  m_lr_over_m_total,
+  m_slr_over_m_total,
+  accretion_efficiency,
+  outcome_class,
+  b_over_a,
+  seed,
+  fidelity
+};
+
+/// One unit of a quantity: SI (degrees for angles) = value * 10^decimals * factor.
+struct Unit {
+  std::string_view name;  ///< lower case; "per" for a slash
+  int decimals = 0;
+  double factor = 1;
+};
+
+/// A column that was recognised by its header.
+struct CatalogueColumn {
+  Quantity quantity = Quantity::run_id;
+  Unit unit;
+};
+
+/// The column's name in catalogues that eerie writes, unit included: "m_target_kg".
+std::string column_name(Quantity quantity);
+
+/// Reads a header such as "m_target_kg", "M_targ (kg)", "V_i/V_esc", "theta [deg]". Nothing where
+/// it names no known quantity. Throws InputError, with `where` in front, for a quantity without
+/// its unit.
+std::optional<CatalogueColumn> column_of(const std::string& header, const std::string& where);
+
+/// The value of a field in SI (degrees for angles). Powers of ten move the decimal point, so that
+/// 0.18 m/s is 18 cm/s to the last bit where `decimals` is 2. Nothing where it is no number.
+std::optional<double> value_of(const std::string& field, const Unit& unit, int decimals = 0);
+
+/// A number with its decimal point moved, every digit kept: (17.3, -2) is "0.173".
+std::string moved(double value, int decimals);
+
+}  // namespace eerie
