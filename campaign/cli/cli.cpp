@@ -173,7 +173,6 @@ constexpr Command commands[] = {
      "  eerie sizes --class hit-and-run -o sizes.svg -o sizes.csv\n"
      "  eerie sizes --where job=12 --json",
      add_sizes},
-    {"map", "Draw b/a over impact speed and angle",
     {"map", "Draw b/a, or another quantity, over impact speed and angle",
      "  eerie map -o map.png\n"
      "  eerie map --q 1 --phi-d 50 --fidelity survey -o map.pdf -o map.svg\n"
