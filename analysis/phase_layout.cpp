@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace eerie {
 
@@ -105,8 +106,6 @@ PhaseLayout phase_layout(const PhaseFigure& figure, double legend_height) {
       figure.diagrams.size() > 1 ? of_settings(first) : joined(of_point(first), of_settings(first));
   page.shared_bar = figure.diagrams.size() > 1 && figure.quantities.front() != MapQuantity::outcome;
   const bool bars = std::ranges::any_of(page.panels, &PhasePanel::bar);
-  const bool titles =
-      std::ranges::any_of(page.panels, [](const PhasePanel& p) { return !p.title.empty(); });
   const bool speeds_differ = std::ranges::any_of(figure.diagrams, [&](const PhaseDiagram& d) {
     return std::abs(d.v_esc_cm_per_s - first.v_esc_cm_per_s) > 1e-6 * first.v_esc_cm_per_s;
   });
@@ -124,14 +123,19 @@ PhaseLayout phase_layout(const PhaseFigure& figure, double legend_height) {
   double down = page.title.empty() ? 4 : page_title;
   for (std::size_t row = 0; row < rows; ++row) {
     const bool above = row == 0 || speeds_differ;
+    const std::span<PhasePanel> those = std::span(page.panels)
+                                            .subspan(row * columns)
+                                            .first(std::min(columns, count - row * columns));
+    const bool titles =
+        std::ranges::any_of(those, [](const PhasePanel& p) { return !p.title.empty(); });
     down += (titles ? panel_title : 0) + (above && first.v_esc_cm_per_s > 0 ? axis_above : below);
     bool last_of_column = false;
-    for (std::size_t k = row * columns; k < std::min(count, (row + 1) * columns); ++k) {
-      PhasePanel& p = page.panels[k];
-      const double x = left + static_cast<double>(k % columns) * (width + inner);
+    for (std::size_t column = 0; column < those.size(); ++column) {
+      PhasePanel& p = those[column];
+      const double x = left + static_cast<double>(column) * (width + inner);
       p.frame.area = {{x, -(down + height)}, {x + width, -down}};
-      p.labels_left = k % columns == 0;
-      p.labels_below = k + columns >= count;
+      p.labels_left = column == 0;
+      p.labels_below = (row + 1) * columns + column >= count;
       p.labels_above = above && p.diagram->v_esc_cm_per_s > 0;
       last_of_column = last_of_column || p.labels_below;
     }

@@ -54,6 +54,7 @@ json to_json(const Fitted& f) {
                  {"phi_d_deg", g.phi_d_deg},
                  {"particles_per_target", g.settings.particles_per_target},
                  {"settings", g.settings.name},
+                 {"settings_number", g.settings.id},
                  {"runs", g.runs.size()},
                  {"impacts", ridge_cells(g.runs).size()},
                  {"paper_cm_per_s", or_null(published_threshold(g.q, g.phi_d_deg))}};

@@ -121,6 +121,24 @@ TEST_F(ThresholdAndCheck, WriteAReportWithMaps) {
   EXPECT_THAT(read_file(folder / "out/report-q1-phi40-n1000.svg"), HasSubstr("<svg"));
 }
 
+TEST_F(ThresholdAndCheck, TellSettingsOfTheSameNameApart) {
+  {
+    db::Connection connection(folder / "two.sqlite", db::Access::write);
+    json scene = survey_scene(1, 40, 20, 15, 1);
+    for (const double cfl : {0.5, 0.6}) {
+      scene["numerics"]["cfl"] = cfl;
+      test::add_impact(connection, scene, 0.25);
+    }
+  }
+  const Ended both = eerie({"threshold", "--db", "two.sqlite"});
+  EXPECT_THAT(both.out, HasSubstr("1 runs of 1 impacts, settings 1\n"));
+  EXPECT_THAT(both.out, HasSubstr("1 runs of 1 impacts, settings 2\n"));
+  const json one =
+      json::parse(eerie({"threshold", "--db", "two.sqlite", "--settings", "2", "--json"}).out);
+  ASSERT_EQ(one.at("ridges").size(), 1u);
+  EXPECT_EQ(one["ridges"][0].at("settings_number"), 2);
+}
+
 TEST_F(ThresholdAndCheck, RefuseWhatTheyCannotDoAndSayWhatWouldDo) {
   const std::pair<std::vector<std::string>, const char*> cases[] = {
       {{"check", "--db", database(), "-o", "report.pdf"}, "its name must end in .md"},
