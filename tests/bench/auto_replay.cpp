@@ -1,5 +1,6 @@
 // What `run --fidelity auto` would have cost and said, from results that a database has already:
-// its rounds are replayed in an empty database, to which each run that it asks for is copied.
+// its rounds are replayed in an empty database, to which each run that it asks for is copied. Draws
+// the map beside OUT.csv, where there is one only.
 // Usage: eerie_auto_replay SWEEP DATABASE OUT.csv [CONFIDENCE]
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "campaign/auto_fidelity.hpp"
 #include "campaign/fidelity.hpp"
 #include "campaign/job.hpp"
+#include "campaign/map.hpp"
 #include "db/jobs.hpp"
 #include "db/query.hpp"
 #include "solver/base/file.hpp"
@@ -58,6 +60,9 @@ int replay(int argc, char** argv) {
       }
     }
     install_text(argv[3], auto_csv(campaign));
+    const std::vector<PhaseDiagram> maps = phase_diagrams(campaign);
+    if (maps.size() == 1)
+      draw_phase_diagram(fs::path(argv[3]).replace_extension(".svg"), maps.front());
     double spent = 0;
     for (const auto& [fidelity, seconds] : campaign.core_seconds()) {
       fmt::print("{}: {:.0f} core-s\n", fidelity, seconds);
