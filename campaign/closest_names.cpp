@@ -29,8 +29,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 /// Letters and digits alone, small: what people remember of v_imp_cm_per_s is vimp.
 std::string bare(const std::string& name) {
   std::string letters;
-  for (const unsigned char c : name)
+  for (const char letter : name) {
+    const auto c = static_cast<unsigned char>(letter);
     if (std::isalnum(c) != 0) letters += static_cast<char>(std::tolower(c));
+  }
   return letters;
 }
 

@@ -245,6 +245,10 @@ CatalogueRow row_of(const Reader& row, std::size_t line, const CatalogueOptions&
   impact.radius_m = options.radius_m.value_or(bodies.radius_m);
   impact.theta_imp_deg = angle_of(row);
   impact.v_imp_cm_per_s = speed_of(row, bodies, options);
+  for (const double value :
+       {impact.q, impact.rho0_kg_per_m3, impact.radius_m, impact.v_imp_cm_per_s})
+    if (!(value > 0 && std::isfinite(value)))
+      row.lack("masses, sizes and speeds are too large or too small to make an impact; mend them");
   impact.phi_d_deg = row.number(phi_d, 0, 80);
   impact.seed = row.number(seed, 0, 4294967295.0);
   out.outcome = outcome_of(row, bodies);

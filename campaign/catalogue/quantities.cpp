@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -91,7 +92,8 @@ std::string plain(const std::string& header) {
   const std::size_t degree = header.find("\u00b0");
   if (degree != std::string::npos)
     return plain(header.substr(0, degree) + "deg" + header.substr(degree + 2));
-  for (const unsigned char c : header) {
+  for (const char letter : header) {
+    const auto c = static_cast<unsigned char>(letter);
     if (c == '[' || c == '(') in_unit = true;
     if (c == '/')
       text += in_unit ? "_per_" : "_over_";
@@ -162,7 +164,9 @@ std::optional<double> value_of(const std::string& field, const Unit& unit, int d
   if (end == begin || *end != '\0') return std::nullopt;
   // Where the field has an exponent the point moves on from there.
   const std::size_t e = field.find_first_of("eE");
-  const int exponent = e == std::string::npos ? 0 : std::atoi(begin + e + 1);
+  const long exponent = e == std::string::npos
+                            ? 0
+                            : std::clamp(std::strtol(begin + e + 1, nullptr, 10), -9999L, 9999L);
   const std::string text =
       fmt::format("{}e{}", field.substr(0, e), exponent + unit.decimals + decimals);
   const double value = std::strtod(text.c_str(), nullptr) * unit.factor;

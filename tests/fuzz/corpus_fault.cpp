@@ -15,7 +15,8 @@ struct Corpus {
 constexpr Corpus corpora[] = {{"sweep", fuzz::read_as_sweep},
                               {"scene", fuzz::read_as_scene},
                               {"result", fuzz::read_as_result},
-                              {"checkpoint", fuzz::read_as_checkpoint}};
+                              {"checkpoint", fuzz::read_as_checkpoint},
+                              {"catalogue", fuzz::read_as_catalogue}};
 
 TEST(FuzzCorpus, IsReadOrRefused) {
   for (const Corpus& corpus : corpora) {

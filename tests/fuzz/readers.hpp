@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "campaign/catalogue/catalogue_sweep.hpp"
 #include "campaign/json_file.hpp"
 #include "campaign/result_file.hpp"
 #include "campaign/sweep.hpp"
@@ -82,6 +83,22 @@ inline void read_as_checkpoint(std::string_view bytes) {
     }
   }
   std::filesystem::remove(path);
+}
+
+/// A sweep that is made of a catalogue is one that can be run.
+inline void read_as_catalogue(std::string_view text) {
+  for (const CatalogueOptions& options : {CatalogueOptions{}, CatalogueOptions{1000, 50}}) {
+    nlohmann::json document;
+    try {
+      const Catalogue catalogue = parse_catalogue(text, "catalogue.csv", options);
+      if (catalogue.rows.size() > most_points) return;
+      document = sweep_of(catalogue, {}, "catalogue.csv");
+    } catch (const InputError&) {
+      continue;
+    }
+    const std::size_t jobs = expand(parse_sweep(document, {}, "made")).size();
+    hold(jobs == document["points"].size());
+  }
 }
 
 }  // namespace eerie::fuzz
