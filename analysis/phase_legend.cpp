@@ -59,7 +59,7 @@ void PhaseLegend::add_curve(const PhaseFigure& figure) {
   if (constants.empty()) return;
   const bool same = std::ranges::count(constants, constants.front()) == std::ssize(constants);
   entries_.push_back({Mark::curve, "",
-                      same ? fmt::format("v sin θ = {:g} cm/s", constants.front())
+                      same ? fmt::format("v sin θ = {:.3g} cm/s", constants.front())
                            : "v sin θ as in the panel's title"});
 }
 

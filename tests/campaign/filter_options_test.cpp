@@ -88,7 +88,8 @@ TEST_F(Filtered, SaysWhatIsWrongWithAFilter) {
   EXPECT_THAT(refusal(View::results, a), HasSubstr("must be one of perfect-merging"));
   a.outcome_class = "erosion";
   EXPECT_EQ(refusal(View::remnants, a), "taken");
-  EXPECT_THAT(refusal(View::maps, a), HasSubstr("--of results has"));
+  EXPECT_EQ(refusal(View::maps, a), "taken");
+  EXPECT_THAT(refusal(View::maps, where("end_reason=settled")), HasSubstr("--of results has"));
   FilterArguments sweep;
   sweep.sweep = "nowhere";
   EXPECT_THAT(refusal(View::results, sweep), HasSubstr("has no sweep of this name"));

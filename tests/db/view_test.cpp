@@ -85,7 +85,7 @@ TEST_F(Views, RemnantsMayBeChosenByWhatTheirImpactIs) {
   ASSERT_EQ(found.rows.size(), 1u);
   EXPECT_THAT(found.rows[0], ElementsAre(Cell(std::int64_t{2}), Cell(18.0)));
   EXPECT_TRUE(is_condition_column(connection, View::remnants, "class"));
-  EXPECT_FALSE(is_condition_column(connection, View::maps, "class"));
+  EXPECT_FALSE(is_condition_column(connection, View::maps, "end_reason"));
 }
 
 TEST_F(Views, KnowTheJobsOfASweep) {

@@ -94,7 +94,10 @@ assert len(rows) == len(wanted) == 6
 for row, one in zip(rows, wanted):
     assert list(row) == one.keys()
     for name in one.keys():
-        assert (row[name] == "") if one[name] is None else float(row[name]) == one[name], name
+        if one[name] is None:
+            assert row[name] == "", name
+        else:
+            assert type(one[name])(row[name]) == one[name], name
 )"),
             0)
       << read_file(folder / "python.out");

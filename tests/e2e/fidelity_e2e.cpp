@@ -69,9 +69,9 @@ TEST_F(Fidelity, AutoRunsInRoundsUntilItIsSureAndHasNothingLeftToDoAfterwards) {
   const Ended first = eerie(command);
   ASSERT_EQ(first.code, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("round 1: 2 of 2 impacts in doubt; 4 sketches and 0 surveys"));
-  EXPECT_THAT(first.out, HasSubstr("x 4"));
+  EXPECT_THAT(first.out, HasSubstr("x 2"));
   EXPECT_THAT(read_file(folder / "eerie-small-auto.csv"), HasSubstr("1,40,15,15,"));
-  EXPECT_THAT(read_file(folder / "eerie-small-auto.svg"), HasSubstr("4 seeds"));
+  EXPECT_THAT(read_file(folder / "eerie-small-auto.svg"), HasSubstr("seeds, sketch"));
   const std::string table = read_file(folder / "eerie-small-auto.csv");
   const Ended again = eerie(command);
   EXPECT_EQ(again.code, 0);
@@ -98,8 +98,8 @@ TEST_F(Fidelity, IsChartedAgainstItsCost) {
   EXPECT_THAT(first.out, HasSubstr("5 results"));
   EXPECT_THAT(read_file(folder / "c.svg"), HasSubstr("frontier"));
   const std::string table = read_file(folder / "c.csv");
-  EXPECT_THAT(table, HasSubstr("\"cfl\",\"0.3\",2,"));
-  EXPECT_THAT(table, HasSubstr("\"reference\",\"finer\",1,"));
+  EXPECT_THAT(table, HasSubstr("\"cfl\",\"0.3\",\"A\",2,"));
+  EXPECT_THAT(table, HasSubstr("\"reference\",\"finer\",\"A\",1,"));
   EXPECT_THAT(read_file(folder / "c-runs.csv"), HasSubstr("\"default\",\"\",A,1,"));
   EXPECT_THAT(eerie(command).out, HasSubstr("5 runs within the budget, 0 to run"));
 }
