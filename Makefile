@@ -3,7 +3,7 @@
 BUILD ?= build
 JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
-.PHONY: help run build test validate bench scale settled test-faults sanitize fuzz format tidy clean packages-run packages-test packages-fuzz
+.PHONY: help run build test validate bench scale settled results test-faults sanitize fuzz format tidy clean packages-run packages-test packages-fuzz
 FUZZ_SECONDS ?= 60
 
 help:   ## this list
@@ -48,6 +48,13 @@ settled: packages-test  ## what the settled stop would have done to runs to 1e5 
 	@$(BUILD)/tests/bench/eerie_settled $(BUILD)/settled/settled.sqlite.jobs docs/accuracy/settled.csv 4000 0.0015 0.02 0.005
 	@$(BUILD)/tests/bench/eerie_settled $(BUILD)/settled/settled.sqlite.jobs docs/accuracy/settled-survey.csv 4000 0.003 0.05 0.02
 	@$(BUILD)/tests/bench/eerie_settled_figure docs/accuracy/settled.csv docs/accuracy/settled-survey.csv docs/accuracy/settled.svg
+
+results: build  ## the surveys beside the paper's Figs. 2b and 4 (2 core-hours): docs/results
+	@mkdir -p $(BUILD)/results
+	@for seed in 1 2; do $(BUILD)/eerie run sweeps/fig2b-ridge.json --fidelity survey --set numerics.seed=$$seed --db $(BUILD)/results/fig2b.sqlite; done
+	@$(BUILD)/eerie run sweeps/fig2b-ridge.json --fidelity auto --db $(BUILD)/results/fig2b.sqlite
+	@$(BUILD)/eerie run sweeps/fig4-ridge.json --fidelity survey --db $(BUILD)/results/fig4.sqlite
+	@EERIE=$(BUILD)/eerie docs/results/make.sh $(BUILD)/results
 
 test-faults: packages-test  ## kill, damage and starve campaigns (15 minutes): 200 kills, every named point
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON > /dev/null
