@@ -205,15 +205,18 @@ double success(const std::vector<RidgeCell>& cells, const Threshold& t) {
 
 /// Why a constant would be a number from nothing; empty where it is not.
 std::string what_lacks(const std::vector<RidgeCell>& cells, const std::vector<Weighted>& line) {
-  std::size_t eer_cells = 0;
+  double eers = 0;
   std::set<double> angles;
-  for (const RidgeCell& cell : cells)
-    if (cell.p_eer() >= 0.5) ++eer_cells, angles.insert(cell.theta_imp_deg);
-  if (eer_cells < threshold_min_eer_cells || angles.size() < threshold_min_angles)
+  for (const RidgeCell& cell : cells) {
+    eers += cell.p_eer();
+    if (cell.p_eer() >= 0.5) angles.insert(cell.theta_imp_deg);
+  }
+  if (eers < threshold_min_eers || angles.size() < threshold_min_angles)
     return fmt::format(
-        "needs at least {} impacts at {} angles half of whose runs leave an extremely elongated "
-        "largest remnant; there are {} at {} {}, of {} impacts with results",
-        threshold_min_eer_cells, threshold_min_angles, eer_cells, angles.size(),
+        "needs impacts that leave at least {:g} extremely elongated largest remnants with a seed "
+        "each, at {} angles where half of the runs of one do; there are {:.3g} at {} {}, of {} "
+        "impacts with results",
+        threshold_min_eers, threshold_min_angles, eers, angles.size(),
         angles.size() == 1 ? "angle" : "angles", cells.size());
   for (const Weighted* end : {&line.front(), &line.back()})
     if (end->cell->p_eer() >= 0.5)

@@ -55,10 +55,13 @@ struct Threshold {
 };
 
 struct TooFewForThreshold {
-  std::string reason;  ///< "needs at least 4 impacts ...; there are 2 ..."
+  std::string reason;  ///< "needs impacts that leave at least 4 ...; there are 2 ..."
 };
 
-inline constexpr std::size_t threshold_min_eer_cells = 4, threshold_min_angles = 2;
+/// P(EER) summed over impacts: what a map with one seed holds on average. More seeds do not change
+/// it.
+inline constexpr double threshold_min_eers = 4;
+inline constexpr std::size_t threshold_min_angles = 2;
 
 /// Fits the constant of one mass ratio, friction angle and fidelity; cells at most one per (v,
 /// theta), any order, without runs ignored.

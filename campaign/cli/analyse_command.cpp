@@ -54,7 +54,7 @@ int analyse_database(const AnalyseArguments& a) {
 int analyse(const AnalyseArguments& a) {
   if (a.snapshot.empty() == a.database.empty())
     throw InputError(
-        "eerie analyse: give either a snapshot file or --db DATABASE, whose finished jobs are all "
+        "analyse: give either a snapshot file or --db DATABASE, whose finished jobs are all "
         "analysed again");
   return a.database.empty() ? analyse_snapshot(a) : analyse_database(a);
 }

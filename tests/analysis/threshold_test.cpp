@@ -181,7 +181,7 @@ TEST(Threshold, NarrowsWithMoreSeeds) {
 }
 
 TEST(Threshold, MakesNoNumberFromTooFewElongatedRemnants) {
-  EXPECT_THAT(lacking({}), HasSubstr("needs at least 4 impacts at 2 angles"));
+  EXPECT_THAT(lacking({}), HasSubstr("needs impacts that leave at least 4 "));
   std::vector<RidgeCell> cells = sampled({}, fine_speeds, fine_angles, 0, 1);
   for (RidgeCell& cell : cells) cell.b_over_a = {0.5};
   for (std::size_t k = 0; k < 3; ++k) cells[50 + k].b_over_a = {0.2};
@@ -189,8 +189,17 @@ TEST(Threshold, MakesNoNumberFromTooFewElongatedRemnants) {
   cells[53].b_over_a = {0.2};
   EXPECT_THAT(lacking(cells), HasSubstr("there are 4 at 1 angle"));
   cells[68].b_over_a = {0.2, 0.5, 0.5};  // not half of its runs
-  EXPECT_THAT(lacking(cells), HasSubstr("there are 4 at 1 angle"));
+  EXPECT_THAT(lacking(cells), HasSubstr("there are 4.33 at 1 angle"));
   cells[68].b_over_a = {0.2, 0.2, 0.5};
+  EXPECT_EQ(lacking(cells), "");
+}
+
+TEST(Threshold, CountsImpactsThatLeaveAnElongatedRemnantNowAndThen) {
+  std::vector<RidgeCell> cells = sampled({}, fine_speeds, fine_angles, 0, 1);
+  for (RidgeCell& cell : cells) cell.b_over_a = {0.5, 0.5, 0.5};
+  for (const std::size_t sure : {50, 51, 68}) cells[sure].b_over_a = {0.2, 0.2, 0.2};
+  EXPECT_THAT(lacking(cells), HasSubstr("there are 3 at 2 angles"));
+  for (const std::size_t rare : {52, 67, 69}) cells[rare].b_over_a = {0.5, 0.5, 0.2};
   EXPECT_EQ(lacking(cells), "");
 }
 
