@@ -6,6 +6,8 @@
 #   eerie run sweeps/fig2b-ridge.json --fidelity survey --set numerics.seed=2 --db FOLDER/fig2b.sqlite
 #   eerie run sweeps/fig2b-ridge.json --fidelity auto --db FOLDER/fig2b.sqlite
 #   eerie run sweeps/fig4-ridge.json --fidelity survey --db FOLDER/fig4.sqlite
+#   for s in fig2a fig2b fig4 phi30 fig6 q025; do
+#     eerie run sweeps/table2-$s.json --fidelity sketch --db FOLDER/table2.sqlite; done
 set -eu
 eerie=${EERIE:-build/eerie}
 out=docs/results
@@ -26,3 +28,8 @@ for fig in fig2b fig4; do
   $eerie sizes $of -o $out/$fig-sizes.svg -o $out/$fig-sizes.csv
   $eerie catalogue export $of -o $out/$fig-catalogue.csv
 done
+if [ -e $1/table2.sqlite ]; then
+  of="--db $1/table2.sqlite --fidelity sketch"
+  $eerie map $of -o $out/table2-sketch.png
+  $eerie check $of > $out/table2-check.txt
+fi
