@@ -5,6 +5,7 @@
 #include "campaign/cli/command_list.hpp"
 #include "campaign/cli/study_work.hpp"
 #include "campaign/cli/text_table.hpp"
+#include "campaign/reach.hpp"
 #include "campaign/study_results.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
@@ -39,12 +40,31 @@ std::string table_of(const std::vector<StudyCell>& cells) {
   return text_table(rows);
 }
 
+/// From which particle number on each scheme is right.
+std::string reach_table(const std::vector<Reach>& reaches) {
+  const auto from = [](std::optional<std::int64_t> n, bool is_known) {
+    return n ? fmt::format("{}", *n) : std::string(is_known ? "not yet" : "-");
+  };
+  std::vector<std::vector<std::string>> rows = {
+      {"case", "scheme", "finest", "near it from", "near published from", "b/a as N grows"}};
+  for (const Reach& r : reaches) {
+    const std::string limit =
+        r.b_over_a ? fmt::format("{:.3f} +- {:.3f}", r.b_over_a->value, r.b_over_a->error) : "-";
+    rows.push_back({r.case_name, r.scheme, fmt::format("{}", r.finest), from(r.own, false),
+                    from(r.published, r.has_published), limit});
+  }
+  return text_table(rows);
+}
+
 std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResult>& results,
-                                const std::vector<StudyCell>& cells, const fs::path& folder,
+                                const std::vector<StudyCell>& cells,
+                                const std::vector<Reach>& reaches, const fs::path& folder,
                                 const JobFolder& jobs) {
-  std::vector<fs::path> files = {folder / "runs.csv", folder / "convergence.csv"};
+  std::vector<fs::path> files = {folder / "runs.csv", folder / "convergence.csv",
+                                 folder / "reach.csv"};
   install_text(files[0], runs_csv(results));
   install_text(files[1], cells_csv(cells));
+  install_text(files[2], reaches_csv(reaches));
   const auto draw = [&](const std::string& name, const std::optional<ConvergenceFigure>& figure) {
     if (!figure) return;
     files.push_back(folder / (name + ".svg"));
@@ -69,8 +89,9 @@ int converge(const ConvergeArguments& a) {
                                  a.work.study.string(), a.work.database.string()));
   make_folder_of(a.folder / "runs.csv");
   const std::vector<StudyCell> cells = cells_of(study, results);
+  const std::vector<Reach> reaches = reaches_of(study, cells);
   const std::vector<fs::path> files =
-      write_all(study, results, cells, a.folder, job_folder(connection));
+      write_all(study, results, cells, reaches, a.folder, job_folder(connection));
   if (a.work.json) {
     json names = json::array();
     for (const fs::path& file : files) names.push_back(file.string());
@@ -81,7 +102,7 @@ int converge(const ConvergeArguments& a) {
                             {"files", std::move(names)}}
                            .dump(1));
   } else {
-    fmt::print("\n{}\n{} results", table_of(cells), results.size());
+    fmt::print("\n{}\n{}\n{} results", table_of(cells), reach_table(reaches), results.size());
     if (left.failed > 0) fmt::print(", {} failed (eerie status says why)", left.failed);
     if (left.left > 0) fmt::print(", {} left", left.left);
     fmt::print("\n");
