@@ -18,7 +18,8 @@ inline constexpr double full_neighbourhood = 1.8;
 
 /// Whether C belongs to a full neighbourhood that lies in one plane or line, which no sound
 /// arrangement does: a collapse. `filling`: density over that of reference; loose particles have
-/// large volumes, so that a few of them make a large C without being many.
+/// large volumes, so that a few of them make a large C without being many. A dense one among a few
+/// loose ones still passes for full here: count its neighbours, too.
 inline bool is_collapsed(const SymTensor& C, double filling = 1) {
   return !(determinant(C) > smallest_correctable_determinant) &&
          !(trace(C) * std::min(filling, 1.0) < full_neighbourhood);

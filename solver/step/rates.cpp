@@ -158,7 +158,8 @@ std::size_t Solver::set_rates(std::size_t i, std::size_t count, double ahead, co
     const P determinants = determinant(s.C);
     for (std::size_t l = count; l-- > 0;)
       if (!(determinants[l] > smallest_correctable_determinant) &&
-          is_collapsed(lane(s, l).C, rho[l] / material_.reference_density) && !is_at_wall(i + l))
+          is_collapsed(lane(s, l).C, rho[l] / material_.reference_density) &&
+          lists_.is_bulk(i + l) && !is_at_wall(i + l))
         collapsed = i + l;
   }
   const P thin = splat(thinnest_), per_rho = 1 / (rho < thin ? thin : rho);

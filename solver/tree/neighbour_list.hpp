@@ -57,6 +57,8 @@ class NeighbourList {
   std::size_t buckets() const { return buckets_.size(); }
   bool empty() const { return buckets_.empty(); }
   const std::vector<Vec3>& built_at() const { return built_at_; }
+  /// Whether a particle had more than a few neighbours at the last build; others are loose.
+  bool is_bulk(std::size_t i) const { return slack_[i] < 0; }
 
  private:
   /// Up to this many listed neighbours a particle counts as loose, else as bulk.
@@ -69,8 +71,6 @@ class NeighbourList {
   };
   void fit_bulk();
   RigidMotion bulk_motion(const std::vector<Vec3>& x) const;
-  bool is_bulk(std::size_t i) const { return slack_[i] < 0; }
-
   double support_, skin_;
   std::size_t row_units_;
   std::vector<Image> images_;

@@ -120,6 +120,21 @@ TEST(Solver, NeighboursPressedIntoAPlaneAreASingularMatrix) {
   EXPECT_THAT(error.what(), HasSubstr("plane"));
 }
 
+TEST(Solver, AFlatClumpOfAFewLooseParticlesIsNoCollapse) {
+  // A dense particle and what is left around it, in units of h, far from everything else.
+  const Scene scene = test::small_scene();
+  State state = ball(scene);
+  const Vec3 places[] = {{}, {0.8, 0.01, 0}, {0.1, 0.9, 0}, {-0.6, -0.5, 0.01}, {0.7, 0.8, 0}};
+  const double densities[] = {2600, 400, 450, 500, 600};
+  for (std::size_t k = 0; k < 5; ++k) {
+    state.x[k] = Vec3{1000, 0, 0} + state.h * places[k];
+    state.v[k] = {};
+    state.rho[k] = densities[k];
+  }
+  Solver solver(scene, state);
+  EXPECT_NO_THROW(solver.cycle(1e9));
+}
+
 TEST(Solver, LooseParticlesGoUncorrectedAndAreCounted) {
   const Scene scene = test::small_scene();
   State state = ball(scene);
