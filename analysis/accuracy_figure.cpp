@@ -63,11 +63,13 @@ bool has_rings(const AccuracyFigure& figure) {
   return any;
 }
 
-/// 1, 2 and 5 times the powers of ten in between.
-std::string ticks(double low, double high) {
+/// 1, 2 and 5 times the powers of ten in between; 1 and 3 times where the axis spans more of them.
+std::string ticks(double low, double high, double span) {
+  constexpr double few_decades = 200;
+  const std::vector<int> steps = span <= few_decades ? std::vector{1, 2, 5} : std::vector{1, 3};
   std::string list;
   for (double decade = low; decade <= high * 1.001; decade *= 10)
-    for (const int step : {1, 2, 5})
+    for (const int step : steps)
       list += fmt::format("{0}\"{1:g}\" {1:g}", list.empty() ? "" : ", ", step * decade);
   return list;
 }
@@ -197,7 +199,7 @@ std::string accuracy_script(const AccuracyFigure& figure) {
       "set ylabel font ',7'\n"
       "unset key\n"
       "set multiplot\n",
-      cost.low / 1.2, cost.high * 1.2, ticks(0.1, 1e6), ticks(1e-5, 10));
+      cost.low / 1.2, cost.high * 1.2, ticks(0.1, 1e6, cost.high / cost.low), ticks(1e-5, 10, 1));
   for (std::size_t p = 0; p < figure.panels.size(); ++p) text += panel_commands(figure, p, height);
   return text + legend_commands(figure) + "unset multiplot\n";
 }

@@ -92,13 +92,14 @@ struct Scene {
     std::string viscosity;     ///< "monaghan" or "shear-free"
     double viscosity_alpha, viscosity_beta;
     std::int64_t viscosity_particles;  ///< per target, whose h viscosity has; 0: its own
-    double cfl;                        ///< dt = cfl h / (c_l + h |div v|), c_l: longitudinal wave
-    double opening_angle;              ///< Barnes-Hut: node size over distance
-    double gravity_tolerance;          ///< relative error of gravity between its evaluations
-    std::int64_t gravity_interval;     ///< the most steps from one evaluation to the next
-    double list_skin;                  ///< extra neighbour search radius over 2h
-    double late_sound_speed;           ///< times sound speeds once nothing moves fast; 1: never
-    std::string precision;             ///< of pair sums: "float" or "double"; the state is double
+    double void_density;   ///< of rho0: where particles lie less densely, nothing presses; 0: off
+    double cfl;            ///< dt = cfl h / (c_l + h |div v|), c_l: longitudinal wave
+    double opening_angle;  ///< Barnes-Hut: node size over distance
+    double gravity_tolerance;       ///< relative error of gravity between its evaluations
+    std::int64_t gravity_interval;  ///< the most steps from one evaluation to the next
+    double list_skin;               ///< extra neighbour search radius over 2h
+    double late_sound_speed;        ///< times sound speeds once nothing moves fast; 1: never
+    std::string precision;          ///< of pair sums: "float" or "double"; the state is double
   } numerics;
 
   /// When remnants count as settled (analysis/settling.hpp).

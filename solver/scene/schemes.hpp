@@ -24,6 +24,11 @@ inline constexpr Scheme schemes[] = {
     {"viscosity-50000",
      R"({"gradient": "corrected-fully", "viscosity_particles": 50000, "viscosity_alpha": 0.8333,
          "viscosity_beta": 1.3889, "integrator": "leapfrog-pece", "cfl": 0.8})"},
+    // The same, and surfaces that meet do not press before they touch.
+    {"closing-voids",
+     R"({"gradient": "corrected-fully", "viscosity_particles": 50000, "viscosity_alpha": 0.8333,
+         "viscosity_beta": 1.3889, "integrator": "leapfrog-pece", "cfl": 0.8,
+         "void_density": 0.95})"},
     // Sugiura, Kobayashi & Inutsuka (2019) after Libersky & Petschek (1991) and Sugiura et al.
     // (2018): h of one spacing, the correction in the stress rate alone, Monaghan's viscosity.
     {"libersky-petschek-2018",

@@ -51,7 +51,8 @@ void Solver::apply_laws(std::size_t b, double ahead, std::array<Predicted, bucke
           const double rho = predicted_density(i, ahead);
           const Condition now = condition(i, ahead);
           const EosPoint point = eos(rho, now.u);
-          const double p = rheology.pressure(point.p, now);
+          double p = rheology.pressure(point.p, now);
+          if (has_room(i)) p = std::min(p, 0.0);
           pressure_[i] = p;
           const SymTensor trial = state_.S[i] + ahead * rates_.dS_dt[i];
           yield_factor_[i] = static_cast<float>(

@@ -121,6 +121,7 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
 }
 
 void Solver::cycle(double end_time) {
+  find_voids();
   dt_ = time_step();
   const double left = end_time - state_.time;
   const auto steps_left = static_cast<long>(std::ceil(left / dt_ * (1 - 1e-12)));
@@ -135,6 +136,7 @@ void Solver::cycle(double end_time) {
 
 void Solver::step() {
   std::visit([this](auto integrator) { integrator.step(*this, dt_); }, integrator_);
+  close_voids();
   if (fields_.damage) grow_damage(dt_);
   state_.time += dt_;
   ++state_.step;
@@ -226,6 +228,7 @@ void Solver::reorder() {
   const std::vector<std::uint32_t> order = kd_order(state_.x, state_.id);
   visit_state(state_, [&](const char*, auto& array) { permute(array, order); });
   visit_rates(rates_, [&](const char*, auto& array) { permute(array, order); });
+  if (!has_room_.empty()) permute(has_room_, order);
 }
 
 /// The stress returns to the yield surface.

@@ -84,6 +84,9 @@ class Solver {
   void turn_back(double drift);
   void update_lists();
   void reorder();
+  void find_voids();
+  void close_voids();
+  bool has_room(std::size_t i) const { return !has_room_.empty() && has_room_[i]; }
   void predict_material(double ahead);
   void apply_laws(std::size_t bucket, double ahead, std::array<Predicted, bucket_size>& out);
   void fill_rows(std::size_t bucket, double ahead,
@@ -138,9 +141,10 @@ class Solver {
   Gravity gravity_;
   NeighbourList lists_;
   KdTree tree_;
-  std::vector<float> yield_factor_;  ///< what yielding leaves of the predicted stress
-  std::vector<double> pressure_;     ///< at the time of the rates
-  long since_gravity_ = 0;           ///< steps since gravity was evaluated
+  std::vector<float> yield_factor_;     ///< what yielding leaves of the predicted stress
+  std::vector<double> pressure_;        ///< at the time of the rates
+  std::vector<std::uint8_t> has_room_;  ///< room around a particle; empty where nobody asks
+  long since_gravity_ = 0;              ///< steps since gravity was evaluated
   double dt_ = 0;
   long list_builds_ = 0, builds_in_order_ = 0, uncorrected_ = 0;
   /// No particle gets further than reach + fastest_expected (t - begun).

@@ -77,6 +77,7 @@ TEST(Run, EveryOptionalLawKeepsItsBitsOverInterruptionsAndThreads) {
          {"walls", {{{"face", "z_low"}, {"at_m", -60}, {"kind", "rough"}}}}}}},
       {{"numerics", {{"scheme", "shear-free"}}},
        {"environment", {{"walls", {{{"face", "z_low"}, {"at_m", -60}, {"kind", "rough"}}}}}}},
+      {{"numerics", {{"scheme", "closing-voids"}}}},
       {{"numerics", {{"scheme", "viscosity-50000"}}},
        {"material", {{"drucker_prager", {{"pressure", "total"}}}}}}};
   for (nlohmann::json changes : laws) {
