@@ -51,10 +51,10 @@ settled: packages-test  ## what the settled stop would have done to runs to 1e5 
 
 results: build  ## the surveys beside the paper's Figs. 2b and 4 (2 core-hours): docs/results
 	@mkdir -p $(BUILD)/results
-	@for seed in 1 2; do $(BUILD)/eerie run sweeps/fig2b-ridge.json --fidelity survey --set numerics.seed=$$seed --db $(BUILD)/results/fig2b.sqlite; done
+	@for seed in 1 2; do $(BUILD)/eerie run sweeps/fig2b-ridge.json --fidelity survey --set numerics.seed=$$seed --db $(BUILD)/results/fig2b.sqlite || exit 1; done
 	@$(BUILD)/eerie run sweeps/fig2b-ridge.json --fidelity auto --db $(BUILD)/results/fig2b.sqlite
 	@$(BUILD)/eerie run sweeps/fig4-ridge.json --fidelity survey --db $(BUILD)/results/fig4.sqlite
-	@for s in fig2a fig2b fig4 phi30 fig6 q025; do $(BUILD)/eerie run sweeps/table2-$$s.json --fidelity sketch --db $(BUILD)/results/table2.sqlite || true; done
+	@for s in fig2a fig2b fig4 phi30 fig6 q025; do $(BUILD)/eerie run sweeps/table2-$$s.json --fidelity sketch --db $(BUILD)/results/table2.sqlite || exit 1; done
 	@EERIE=$(BUILD)/eerie docs/results/make.sh $(BUILD)/results
 
 test-faults: packages-test  ## kill, damage and starve campaigns (15 minutes): 200 kills, every named point

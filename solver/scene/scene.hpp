@@ -129,7 +129,8 @@ struct Scene {
 Scene parse_scene(const nlohmann::json& json, const std::string& where = "scene");
 
 /// The scene with every field written out, in sorted order and with canonical numbers
-/// (30 and 30.0 are one). parse_scene() of it gives the same scene.
+/// (30 and 30.0 are one); numerics.void_density only where it is on. parse_scene() of it gives the
+/// same scene.
 nlohmann::json to_json(const Scene& scene);
 
 /// A numeric field by its JSON pointer ("/impact/q"), and a value that the schema allows.

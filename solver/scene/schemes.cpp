@@ -8,13 +8,25 @@
 namespace eerie {
 using nlohmann::json;
 
+namespace {
+
+/// Of a scheme that there is, with those of its base.
+json numerics_of_scheme(const std::string& token) {
+  const Scheme& scheme =
+      *std::ranges::find(schemes, token, [](const Scheme& s) { return std::string(s.token); });
+  const std::string base = scheme.base;
+  json numerics = base.empty() ? json::object() : numerics_of_scheme(base);
+  numerics.update(json::parse(scheme.numerics));
+  return numerics;
+}
+
+}  // namespace
+
 std::string default_scheme() { return schema_at(scene_schema(), "numerics.scheme")->at("default"); }
 
 json with_scheme(json document) {
   const json given = document.value("numerics", json::object());
-  const auto scheme = std::ranges::find(schemes, given.value("scheme", default_scheme()),
-                                        [](const Scheme& s) { return std::string(s.token); });
-  json numerics = json::parse(scheme->numerics);
+  json numerics = numerics_of_scheme(given.value("scheme", default_scheme()));
   numerics.update(given);
   document["numerics"] = std::move(numerics);
   return document;

@@ -9,7 +9,8 @@ namespace eerie {
 /// set any of them otherwise.
 struct Scheme {
   const char* token;
-  const char* numerics;  ///< JSON, merged under what the scene says
+  const char* numerics;   ///< JSON, merged under what the scene says
+  const char* base = "";  ///< token of the scheme whose numerics are merged under these
 };
 
 inline constexpr Scheme schemes[] = {
@@ -25,10 +26,7 @@ inline constexpr Scheme schemes[] = {
      R"({"gradient": "corrected-fully", "viscosity_particles": 50000, "viscosity_alpha": 0.8333,
          "viscosity_beta": 1.3889, "integrator": "leapfrog-pece", "cfl": 0.8})"},
     // The same, and surfaces that meet do not press before they touch.
-    {"closing-voids",
-     R"({"gradient": "corrected-fully", "viscosity_particles": 50000, "viscosity_alpha": 0.8333,
-         "viscosity_beta": 1.3889, "integrator": "leapfrog-pece", "cfl": 0.8,
-         "void_density": 0.95})"},
+    {"closing-voids", R"({"void_density": 0.95})", "viscosity-50000"},
     // Sugiura, Kobayashi & Inutsuka (2019) after Libersky & Petschek (1991) and Sugiura et al.
     // (2018): h of one spacing, the correction in the stress rate alone, Monaghan's viscosity.
     {"libersky-petschek-2018",

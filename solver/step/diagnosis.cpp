@@ -29,19 +29,17 @@ std::vector<Arrangement> arrangements(const State& s, double reference_density) 
   const double scale = Kernel::normalisation / cubed(s.h);
 #pragma omp parallel for schedule(dynamic, 8)
   for (std::size_t b = 0; b < lists.buckets(); ++b) {
-    const BucketList& list = lists[b];
     for (std::size_t k = 0, i = b * bucket_size; k < bucket_size && i < s.size(); ++k, ++i) {
       double density = s.mass * scale * Kernel::w(0.0), neighbours = 0;
       Vec3 gradient;
-      for (std::size_t e = list.begin[k]; e < list.begin[k + 1]; ++e) {
-        if (list.index[e] >= list.rows.size()) continue;  // padding
-        const Vec3 d = s.x[i] - s.x[list.rows[list.index[e]]];
+      lists.visit_listed(b, k, s.x, [&](const Vec3& there) {
+        const Vec3 d = s.x[i] - there;
         const double q = norm(d) / s.h;
-        if (q >= 2 || q == 0) continue;
+        if (q >= 2 || q == 0) return;
         ++neighbours;
         density += s.mass * scale * Kernel::w(q);
         gradient += (s.mass / reference_density * scale * Kernel::dw_over_q(q, 1 / q) / s.h) * d;
-      }
+      });
       found[i] = {density, norm(gradient) < evenness && neighbours > fewest_neighbours};
     }
   }

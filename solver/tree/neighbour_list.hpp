@@ -54,6 +54,20 @@ class NeighbourList {
   const std::vector<Image>& images() const { return images_; }
 
   const BucketList& operator[](std::size_t bucket) const { return buckets_[bucket]; }
+  /// visit(where it is) for every one that particle k of a bucket lists, images included, all at
+  /// `x`; also for those that are beyond the support.
+  template <class Visit>
+  void visit_listed(std::size_t bucket, std::size_t k, const std::vector<Vec3>& x,
+                    Visit&& visit) const {
+    const BucketList& list = buckets_[bucket];
+    for (std::uint32_t e = list.begin[k]; e < list.begin[k + 1]; ++e) {
+      const std::size_t place = list.index[e] / row_units_;
+      if (place >= list.rows.size()) continue;  // padding
+      const Vec3& there = x[list.rows[place]];
+      const std::size_t image = list.images.empty() ? 0 : list.images[place];
+      visit(image == 0 ? there : images_[image - 1](there));
+    }
+  }
   std::size_t buckets() const { return buckets_.size(); }
   bool empty() const { return buckets_.empty(); }
   const std::vector<Vec3>& built_at() const { return built_at_; }

@@ -41,6 +41,15 @@ TEST(Scene, TakesDefaultsFromItsSchemeUnlessItSaysOtherwise) {
   EXPECT_EQ(to_json(parse_scene(written)), written);
 }
 
+TEST(Scene, HasTheNumericsOfTheSchemeThatItsSchemeStandsOn) {
+  json numerics = to_json(parse_scene({{"numerics", {{"scheme", "closing-voids"}}}}))["numerics"];
+  EXPECT_EQ(numerics["void_density"], 0.95);
+  numerics.erase("void_density");
+  numerics["scheme"] = "viscosity-50000";
+  EXPECT_EQ(numerics,
+            to_json(parse_scene({{"numerics", {{"scheme", "viscosity-50000"}}}}))["numerics"]);
+}
+
 TEST(Scene, HasTheViscosityOfThePaperAtAnyParticleNumber) {
   // alpha h = 1 x one spacing of 50,000 particles in a ball of 50 m, 2.19 m.
   for (const int n : {1000, 5000, 50000}) {
