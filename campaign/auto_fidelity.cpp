@@ -128,7 +128,7 @@ void AutoFidelity::update(const db::Connection& connection) {
     for (std::int64_t seed = 1; seed <= options_.most_seeds; ++seed)
       runs.push_back({c, true, with_seed(cells_[c].survey_scene, seed)});
   }
-  for (const Finished<AutoRun>& r : finished_runs(connection, runs)) {
+  for (const Finished<AutoRun>& r : finished_runs(runs, &connection)) {
     AutoCell& cell = cells_[r.run.cell];
     (r.run.survey ? cell.survey : cell.sketch)
         .push_back({r.row.result.outcome_class, r.row.result.b_over_a, r.core_seconds});

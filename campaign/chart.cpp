@@ -212,8 +212,8 @@ std::string chart_csv(const ChartStudy& study, const std::vector<ChartPoint>& po
 
 std::string chart_runs_csv(const ChartStudy& study, const std::vector<ChartResult>& results) {
   std::string csv =
-      "knob,setting,case,seed,class,settled,ended_at_s,end_reason,m_1_over_m_total,b_over_a,"
-      "c_over_a,period_h,n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
+      "knob,setting,case,seed,class,settled,ended_at_s,end_reason,m_1_over_m_total,b_over_a_1,"
+      "c_over_a_1,period_1_h,n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
   const auto text = [](std::optional<double> x) { return x ? fmt::format("{:.6g}", *x) : ""; };
   for (const ChartResult& r : results) {
     const ChartStudy::Setting& s = study.settings[r.run.setting];

@@ -4,31 +4,43 @@
 #include <string>
 #include <vector>
 
+#include "campaign/run_records.hpp"
 #include "db/query.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie {
 
-/// A run of a study, which has a `scene`, with the result that the database has of it.
+/// A run of a study, which has a `scene`, with its result.
 template <class Run>
 struct Finished {
   Run run;
-  db::ResultRow row;
+  db::ResultRow row;                  ///< of a known run: hash and result alone
   std::vector<db::Remnant> remnants;  ///< from the most massive on
   double core_seconds = 0;            ///< processor time, s
 };
 
-/// Those of `runs` that the database has a result of.
+/// Those of `runs` that the database (none: null) has a result of, and those that are known
+/// besides.
 template <class Run>
-std::vector<Finished<Run>> finished_runs(const db::Connection& connection,
-                                         const std::vector<Run>& runs) {
+std::vector<Finished<Run>> finished_runs(const std::vector<Run>& runs,
+                                         const db::Connection* database,
+                                         const RunRecords& known = {}) {
   std::map<std::string, db::ResultRow> rows;
-  for (db::ResultRow& row : db::results(connection, {})) rows.emplace(row.hash, std::move(row));
+  if (database != nullptr)
+    for (db::ResultRow& row : db::results(*database, {})) rows.emplace(row.hash, std::move(row));
   std::vector<Finished<Run>> results;
-  for (const Run& run : runs)
-    if (const auto row = rows.find(scene_hash(run.scene)); row != rows.end())
-      results.push_back({run, row->second, db::remnants(connection, row->second.job),
-                         db::core_seconds(connection, row->second.job)});
+  for (const Run& run : runs) {
+    const std::string hash = scene_hash(run.scene);
+    if (const auto row = rows.find(hash); row != rows.end()) {
+      results.push_back({run, row->second, db::remnants(*database, row->second.job),
+                         db::core_seconds(*database, row->second.job)});
+    } else if (const auto record = known.find(hash); record != known.end()) {
+      db::ResultRow told;
+      told.hash = hash;
+      told.result = record->second.result;
+      results.push_back({run, told, record->second.remnants, record->second.core_seconds});
+    }
+  }
   return results;
 }
 

@@ -73,15 +73,16 @@ ConvergencePoint point(const StudyCell& cell, const Ensemble& e) {
 
 std::string runs_csv(const std::vector<StudyResult>& results) {
   std::string csv =
-      "scheme,case,particles_per_target,seed,class,settled,m_lr_over_m_total,m_slr_over_m_total";
+      "scheme,case,particles_per_target,seed,class,settled,ended_at_s,end_reason,"
+      "m_lr_over_m_total,m_slr_over_m_total";
   for (int k = 1; k <= shown_remnants; ++k)
     csv += fmt::format(",m_{0}_over_m_total,b_over_a_{0},c_over_a_{0},period_{0}_h", k);
   csv += ",n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
   for (const StudyResult& r : results) {
     const db::Result& x = r.row.result;
-    csv += fmt::format("{},{},{},{},{},{},{:.6g},{:.6g}", r.run.scheme, r.run.case_name,
+    csv += fmt::format("{},{},{},{},{},{},{},{},{:.6g},{:.6g}", r.run.scheme, r.run.case_name,
                        r.run.particles_per_target, r.run.seed, x.outcome_class, x.settled ? 1 : 0,
-                       x.m_lr_over_m_total, x.m_slr_over_m_total);
+                       text(x.ended_at_s), x.end_reason, x.m_lr_over_m_total, x.m_slr_over_m_total);
     for (std::size_t k = 0; k < shown_remnants; ++k)
       if (k < r.remnants.size()) {
         const db::Remnant& m = r.remnants[k];

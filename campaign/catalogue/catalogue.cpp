@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "campaign/catalogue/csv_table.hpp"
 #include "campaign/catalogue/quantities.hpp"
+#include "campaign/csv_table.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 

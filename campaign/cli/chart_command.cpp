@@ -44,10 +44,13 @@ fs::path beside(const fs::path& picture, const std::string& end) {
 int chart(const ChartArguments& a) {
   const ChartStudy study = load_chart_study(a.work.study);
   const std::vector<ChartRun> runs = runs_of(study);
-  const Tally left =
-      a.work.draw_only ? Tally{} : run_study(a.work, study.name, study.document.dump(), runs);
-  const db::Connection connection(a.work.database, db::Access::read);
-  const std::vector<ChartResult> results = finished_runs(connection, runs);
+  const RunRecords known = read_run_records(a.work.known);
+  const Tally left = a.work.draw_only
+                         ? Tally{}
+                         : run_study(a.work, study.name, study.document.dump(), runs, known);
+  const std::optional<db::Connection> database = results_database(a.work);
+  const std::vector<ChartResult> results =
+      finished_runs(runs, database ? &*database : nullptr, known);
   const std::vector<ChartPoint> points = chart_points(study, results);
   if (points.empty())
     throw InputError(fmt::format(

@@ -59,7 +59,7 @@ std::string reach_table(const std::vector<Reach>& reaches) {
 std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResult>& results,
                                 const std::vector<StudyCell>& cells,
                                 const std::vector<Reach>& reaches, const fs::path& folder,
-                                const JobFolder& jobs) {
+                                const std::optional<JobFolder>& jobs) {
   std::vector<fs::path> files = {folder / "runs.csv", folder / "convergence.csv",
                                  folder / "reach.csv"};
   install_text(files[0], runs_csv(results));
@@ -72,7 +72,7 @@ std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResul
   };
   for (const Study::Case& one : study.cases) {
     draw(one.name, figure_of(study, one, cells));
-    draw(one.name + "-diagnosis", diagnosis_figure(study, one, results, jobs));
+    if (jobs) draw(one.name + "-diagnosis", diagnosis_figure(study, one, results, *jobs));
   }
   return files;
 }
@@ -80,10 +80,13 @@ std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResul
 int converge(const ConvergeArguments& a) {
   const Study study = load_study(a.work.study);
   const std::vector<StudyRun> runs = runs_of(study);
-  const Tally left =
-      a.work.draw_only ? Tally{} : run_study(a.work, study.name, study.document.dump(), runs);
-  const db::Connection connection(a.work.database, db::Access::read);
-  const std::vector<StudyResult> results = finished_runs(connection, runs);
+  const RunRecords known = read_run_records(a.work.known);
+  const Tally left = a.work.draw_only
+                         ? Tally{}
+                         : run_study(a.work, study.name, study.document.dump(), runs, known);
+  const std::optional<db::Connection> database = results_database(a.work);
+  const std::vector<StudyResult> results =
+      finished_runs(runs, database ? &*database : nullptr, known);
   if (results.empty())
     throw InputError(fmt::format("{}: the database {} has no result of this study",
                                  a.work.study.string(), a.work.database.string()));
@@ -91,7 +94,8 @@ int converge(const ConvergeArguments& a) {
   const std::vector<StudyCell> cells = cells_of(study, results);
   const std::vector<Reach> reaches = reaches_of(study, cells);
   const std::vector<fs::path> files =
-      write_all(study, results, cells, reaches, a.folder, job_folder(connection));
+      write_all(study, results, cells, reaches, a.folder,
+                database ? std::optional(job_folder(*database)) : std::nullopt);
   if (a.work.json) {
     json names = json::array();
     for (const fs::path& file : files) names.push_back(file.string());

@@ -13,6 +13,11 @@ namespace eerie::cli {
 void add_study(CLI::App& app, StudyArguments& a) {
   app.add_option("STUDY", a.study, "study file")->required();
   add_database(app, a.database);
+  app.add_option("--known", a.known,
+                 "runs.csv that this command wrote before or elsewhere: what stands in it is not "
+                 "run again; may be given several times")
+      ->expected(1)
+      ->check(CLI::ExistingFile);
   app.add_option("--budget", a.core_hours,
                  "core-hours that the study may cost, finished runs included (default: no limit)")
       ->check(CLI::Range(0.001, 1e7));
@@ -22,7 +27,8 @@ void add_study(CLI::App& app, StudyArguments& a) {
 }
 
 Tally run_scenes(const StudyArguments& a, const std::string& name, const std::string& document,
-                 const std::vector<Scene>& scenes, db::Connection& connection) {
+                 const std::vector<Scene>& scenes, std::size_t known, db::Connection& connection) {
+  if (scenes.empty() && known > 0) return {};
   if (scenes.empty())
     throw InputError(
         fmt::format("--budget = {:g}: does not pay for the first run; raise it", a.core_hours));
@@ -31,11 +37,17 @@ Tally run_scenes(const StudyArguments& a, const std::string& name, const std::st
   const db::AddedSweep added = db::add_sweep(connection, name, document, jobs_of(scenes));
   const std::size_t left = tally(connection, added.sweep).left;
   if (!a.json) {
-    fmt::print("{}: {} runs within the budget, {} to run\n", name, scenes.size(), left);
+    fmt::print("{}: {} runs within the budget, {}{} to run\n", name, scenes.size() + known,
+               known > 0 ? fmt::format("{} known, ", known) : "", left);
     std::fflush(stdout);
   }
   if (left > 0) work(connection, {a.workers, a.threads_per_job, a.json}, added.sweep);
   return tally(connection, added.sweep);
+}
+
+std::optional<db::Connection> results_database(const StudyArguments& a) {
+  if (a.draw_only && !a.known.empty() && !std::filesystem::exists(a.database)) return {};
+  return std::optional<db::Connection>(std::in_place, a.database, db::Access::read);
 }
 
 int study_exit(const Tally& left) {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "campaign/cli/options.hpp"
 #include "campaign/cli/work.hpp"
 #include "campaign/job.hpp"
+#include "campaign/run_records.hpp"
 #include "campaign/study.hpp"
 #include "campaign/throughput.hpp"
 #include "db/lock.hpp"
@@ -16,29 +18,34 @@ namespace eerie::cli {
 /// What commands that run studies share.
 struct StudyArguments {
   std::filesystem::path study, database;
-  double core_hours = 0;  ///< 0: as much as the study takes
+  std::vector<std::filesystem::path> known;  ///< tables of runs that need not be repeated
+  double core_hours = 0;                     ///< 0: as much as the study takes
   int workers = 0, threads_per_job = 0;
   bool draw_only = false;
   bool json = false;
 };
 void add_study(CLI::App& app, StudyArguments& arguments);
 
-/// Runs those of `runs` that the budget pays and that are not done yet. Throws InputError where it
-/// pays for none.
+/// Runs those of `runs` that the budget pays and that are neither done yet nor known. Throws
+/// InputError where it pays for none.
 template <class Run>
 Tally run_study(const StudyArguments& a, const std::string& name, const std::string& document,
-                std::vector<Run> runs);
+                std::vector<Run> runs, const RunRecords& known);
+
+/// To read the results from; nothing where there is no database and figures are drawn of known runs
+/// alone.
+std::optional<db::Connection> results_database(const StudyArguments& a);
 
 /// Of a study that is not finished; the exit code.
 int study_exit(const Tally& left);
 
 /// run_study() of runs that are chosen already.
 Tally run_scenes(const StudyArguments& a, const std::string& name, const std::string& document,
-                 const std::vector<Scene>& scenes, db::Connection& connection);
+                 const std::vector<Scene>& scenes, std::size_t known, db::Connection& connection);
 
 template <class Run>
 Tally run_study(const StudyArguments& a, const std::string& name, const std::string& document,
-                std::vector<Run> runs) {
+                std::vector<Run> runs, const RunRecords& known) {
   make_folder_of(a.database);
   const db::Lock lock(a.database);
   db::Connection connection(a.database, db::Access::write);
@@ -47,8 +54,9 @@ Tally run_study(const StudyArguments& a, const std::string& name, const std::str
     runs = affordable(std::move(runs), a.core_hours, speed.is_measured() ? speed : assumed_speed);
   }
   std::vector<Scene> scenes;
-  for (const Run& run : runs) scenes.push_back(run.scene);
-  return run_scenes(a, name, document, scenes, connection);
+  for (const Run& run : runs)
+    if (!known.contains(scene_hash(run.scene))) scenes.push_back(run.scene);
+  return run_scenes(a, name, document, scenes, runs.size() - scenes.size(), connection);
 }
 
 }  // namespace eerie::cli

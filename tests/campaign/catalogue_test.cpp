@@ -9,7 +9,7 @@
 #include "campaign/catalogue/catalogue_export.hpp"
 #include "campaign/catalogue/catalogue_sweep.hpp"
 #include "campaign/catalogue/comparison.hpp"
-#include "campaign/catalogue/csv_table.hpp"
+#include "campaign/csv_table.hpp"
 #include "campaign/catalogue/quantities.hpp"
 #include "campaign/sweep.hpp"
 #include "solver/base/constants.hpp"

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -178,6 +179,35 @@ TEST_F(Run, StudiesConvergenceAndHasNothingLeftToDoAfterwards) {
   const Ended again = eerie(command);
   EXPECT_THAT(again.out, HasSubstr("6 runs within the budget, 0 to run"));
   EXPECT_EQ(read_file(folder / "out/convergence.csv"), table);
+
+  // Elsewhere, with nothing but the table of the runs.
+  const Ended known = eerie({"converge", "study.json", "--known", "out/runs.csv", "--db",
+                             "elsewhere.sqlite", "-o", "known"});
+  ASSERT_EQ(known.code, 0) << known.err;
+  EXPECT_EQ(read_file(folder / "known/runs.csv"), read_file(folder / "out/runs.csv"));
+  const Ended drawn = eerie({"converge", "study.json", "--known", "out/runs.csv", "--draw-only",
+                             "--db", "nowhere.sqlite", "-o", "drawn"});
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(read_file(folder / "drawn/A.svg"), read_file(folder / "out/A.svg"));
+  EXPECT_FALSE(fs::exists(folder / "nowhere.sqlite"));
+}
+
+TEST_F(Run, RunsOfAStudyOnlyWhatIsNotKnown) {
+  const auto study = [&](int seeds) {
+    install_text(folder / "study.json", fmt::format(R"({{
+      "name": "tiny", "schemes": ["dual"], "scene": {{"end": {{"time_s": 300}}}},
+      "cases": [{{"name": "A", "scene": {{}}}}],
+      "ladder": [{{"particles_per_target": 200, "seeds": {}}}]}})",
+                                                    seeds));
+  };
+  study(2);
+  ASSERT_EQ(eerie({"converge", "study.json", "-o", "out"}).code, 0);
+  study(3);
+  const Ended more = eerie({"converge", "study.json", "--known", "out/runs.csv", "--db",
+                            "elsewhere.sqlite", "-o", "more"});
+  ASSERT_EQ(more.code, 0) << more.err;
+  EXPECT_THAT(more.out, HasSubstr("3 runs within the budget, 2 known, 1 to run"));
+  EXPECT_THAT(more.out, HasSubstr("3 results"));
 }
 
 TEST_F(Run, AnswersQueriesAsTableAndCsvAndSaysWhenNothingMatches) {

@@ -1,4 +1,4 @@
-#include "campaign/catalogue/csv_table.hpp"
+#include "campaign/csv_table.hpp"
 
 #include <fmt/format.h>
 
