@@ -6,9 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "campaign/history.hpp"
 #include "campaign/job.hpp"
-#include "campaign/job_directory.hpp"
 
 namespace eerie {
 
@@ -147,70 +145,6 @@ std::optional<ConvergenceFigure> figure_of(const Study& study, const Study::Case
           figure.panels[p].series[s].push_back(point(cell, *quantities[p]));
     }
   if (!any) return {};
-  return figure;
-}
-
-namespace {
-
-struct Column {
-  const char* label;
-  bool logarithmic;
-  std::optional<double> (*value)(const HistoryRow&);
-};
-/// Where a ratio says nothing there is no point.
-std::optional<double> ratio(double above, double below) {
-  return below > 0 ? std::optional(above / below) : std::nullopt;
-}
-constexpr Column diagnosis_columns[] = {
-    {"viscous / EOS pressure", true,
-     [](const HistoryRow& r) { return ratio(r.viscous_pressure_Pa, r.eos_pressure_Pa); }},
-    {"mass without pressure", false,
-     [](const HistoryRow& r) { return std::optional(r.pressureless); }},
-    {"density / by arrangement", false,
-     [](const HistoryRow& r) { return ratio(r.density_kg_per_m3, r.summed_density_kg_per_m3); }},
-    {"viscous / all heat", false,
-     [](const HistoryRow& r) {
-       return ratio(r.viscous_heat_J, r.viscous_heat_J + r.friction_heat_J);
-     }},
-    {"|ΔL| / L", true, [](const HistoryRow& r) { return std::optional(r.dL_over_L); }},
-};
-
-const StudyResult* finest(const std::vector<StudyResult>& results, const std::string& case_name,
-                          const std::string& scheme) {
-  const StudyResult* best = nullptr;
-  for (const StudyResult& r : results)
-    if (r.run.case_name == case_name && r.run.scheme == scheme && r.run.seed == 1 &&
-        (best == nullptr || r.run.particles_per_target > best->run.particles_per_target))
-      best = &r;
-  return best;
-}
-
-}  // namespace
-
-std::optional<ConvergenceFigure> diagnosis_figure(const Study& study, const Study::Case& one,
-                                                  const std::vector<StudyResult>& results,
-                                                  const JobFolder& jobs) {
-  ConvergenceFigure figure{one.title, {}, {}, true};
-  for (const Column& column : diagnosis_columns)
-    figure.panels.push_back({column.label, {}, {}, column.logarithmic});
-  bool any = false;
-  for (const std::string& scheme : study.schemes) {
-    figure.series.push_back(scheme);
-    for (ConvergencePanel& panel : figure.panels) panel.series.emplace_back();
-    const StudyResult* run = finest(results, one.name, scheme);
-    if (run == nullptr) continue;
-    figure.series.back() += fmt::format(", {}", run->run.particles_per_target);
-    for (const HistoryRow& row : read_history(jobs.of(run->row.hash).history()))
-      for (std::size_t p = 0; p < figure.panels.size(); ++p)
-        if (const auto value = diagnosis_columns[p].value(row)) {
-          figure.panels[p].series.back().push_back({row.time_s / 1000, *value, 0, *value, *value});
-          any = true;
-        }
-  }
-  if (!any) return {};
-  std::erase_if(figure.panels, [](const ConvergencePanel& panel) {
-    return std::ranges::all_of(panel.series, [](const auto& series) { return series.empty(); });
-  });
   return figure;
 }
 

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "analysis/convergence_figure.hpp"
 #include "campaign/ensemble.hpp"
 #include "campaign/finished_run.hpp"
-#include "campaign/job_directory.hpp"
 #include "campaign/study.hpp"
 
 namespace eerie {
@@ -36,11 +34,5 @@ std::string cells_csv(const std::vector<StudyCell>& cells);
 /// case has no results.
 std::optional<ConvergenceFigure> figure_of(const Study& study, const Study::Case& one,
                                            const std::vector<StudyCell>& cells);
-
-/// What carries the rubble over time, by scheme: the run of the most particles, seed 1; nothing
-/// where no history of the case says it.
-std::optional<ConvergenceFigure> diagnosis_figure(const Study& study, const Study::Case& one,
-                                                  const std::vector<StudyResult>& results,
-                                                  const JobFolder& jobs);
 
 }  // namespace eerie

@@ -6,7 +6,7 @@
 #include "campaign/cli/study_work.hpp"
 #include "campaign/cli/text_table.hpp"
 #include "campaign/reach.hpp"
-#include "campaign/study_results.hpp"
+#include "campaign/study_diagnosis.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
@@ -65,6 +65,10 @@ std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResul
   install_text(files[0], runs_csv(results));
   install_text(files[1], cells_csv(cells));
   install_text(files[2], reaches_csv(reaches));
+  if (jobs) {
+    files.push_back(folder / "diagnosis.csv");
+    install_text(files.back(), diagnosis_csv(study, results, *jobs));
+  }
   const auto draw = [&](const std::string& name, const std::optional<ConvergenceFigure>& figure) {
     if (!figure) return;
     files.push_back(folder / (name + ".svg"));

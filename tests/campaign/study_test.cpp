@@ -2,9 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include <numbers>
+
+#include "campaign/history.hpp"
 #include "campaign/job.hpp"
+#include "campaign/study_diagnosis.hpp"
 #include "campaign/study_results.hpp"
 #include "solver/base/error.hpp"
+#include "tests/io/snapshot_fixture.hpp"
 
 namespace eerie {
 namespace {
@@ -141,6 +146,38 @@ TEST(StudyCells, CollectSeedsOfOneSchemeCaseAndParticleNumber) {
   ASSERT_EQ(figure->panels[0].series[0].size(), 1u);
   EXPECT_NEAR(figure->panels[0].series[0][0].high, 0.4, 1e-12);
   EXPECT_FALSE(figure_of(study, study.cases[0], cells));
+}
+
+TEST(StudyDiagnosis, PutsHeatsOverTheKineticEnergyAtContactAndLooksAtOneTime) {
+  const test::TemporaryFolder folder;
+  const Study study = parse_study(small_study(), "study.json");
+  std::vector<StudyResult> results;
+  for (const StudyRun& run : runs_of(study))
+    if (run.scheme == "dual" && run.case_name == "fast" && run.seed == 1) {
+      results.push_back(result(run, 0.2));
+      results.back().row.hash = std::string(64, run.particles_per_target == 600 ? 'a' : 'b');
+    }
+  ASSERT_EQ(results.size(), 2u);
+  const JobFolder jobs{folder.path()};
+  // Two bodies of 50 m and 2700 kg/m^3 at 24 cm/s: 2 x M/2 (v/2)^2.
+  const double mass = 2700 * 4 / 3.0 * std::numbers::pi * 50 * 50 * 50;
+  const double kinetic = mass * 0.12 * 0.12;
+  HistoryRow early, middle, end;
+  early.time_s = 400, early.shear_energy_J = 0.02 * kinetic;
+  middle.time_s = 1100, middle.eos_pressure_Pa = 3, middle.viscous_pressure_Pa = 6;
+  middle.pressureless = 0.5, middle.density_kg_per_m3 = 2600;
+  middle.summed_density_kg_per_m3 = 2500, middle.density_error = 0.125;
+  end.time_s = 3000, end.dL_over_L = 1e-4, end.internal_energy_J = 1;
+  end.viscous_heat_J = 0.75 * kinetic, end.friction_heat_J = 0.25 * kinetic;
+  const JobDirectory directory = jobs.of(std::string(64, 'a'));
+  std::filesystem::create_directories(directory.path);
+  History(directory.history()).add({early, middle, end});
+  // Of the run of most particles alone, and nothing where there is no history.
+  EXPECT_THAT(diagnosis_csv(study, results, jobs),
+              testing::EndsWith("\ndual,fast,600,0.75,0.25,0.02,1100,3,6,0.5,2600,2500,0.125,"
+                                "0.0001\n"));
+  EXPECT_THAT(diagnosis_csv(study, results, JobFolder{folder / "nowhere"}),
+              testing::EndsWith("dL_over_L_at_end\n"));
 }
 
 }  // namespace
