@@ -63,6 +63,14 @@ bool has_rings(const AccuracyFigure& figure) {
   return any;
 }
 
+std::string names(std::size_t panel) { return fmt::format("$p{}names", panel); }
+
+bool has_names(const AccuracyFigure& figure) {
+  bool any = false;
+  each_point(figure, [&](const AccuracyPoint& x) { any = any || !x.name.empty(); });
+  return any;
+}
+
 /// 1, 2 and 5 times the powers of ten in between; 1 and 3 times where the axis spans more of them.
 std::string ticks(double low, double high, double span) {
   constexpr double few_decades = 200;
@@ -93,6 +101,12 @@ std::string data_blocks(const AccuracyFigure& figure) {
     text += rings(p) + " << EOD\n";
     each_point(figure, [&](const AccuracyPoint& x) {
       if (!x.whole) text += row(x, p);
+    });
+    text += "EOD\n";
+    text += names(p) + " << EOD\n";
+    each_point(figure, [&](const AccuracyPoint& x) {
+      if (!x.name.empty())
+        text += fmt::format("{} {} {}\n", x.core_seconds, height(x.errors[p]), x.name);
     });
     text += "EOD\n";
     std::vector<std::pair<double, double>> all;
@@ -144,7 +158,7 @@ std::string panel_commands(const AccuracyFigure& figure, std::size_t p, double h
       left / width_pt, right / width_pt, top / height_pt, (top - panel_height_pt) / height_pt);
   Extent errors;
   each_point(figure, [&](const AccuracyPoint& x) { errors.include(height(x.errors[p])); });
-  text += fmt::format("set yrange [{}:{}]\nset ylabel 'error of {}' offset 1.8,0\n", errors.low / 2,
+  text += fmt::format("set yrange [{}:{}]\nset ylabel 'error of {}' offset 0.9,0\n", errors.low / 2,
                       errors.high * 2, figure.panels[p]);
   std::string curves =
       fmt::format("$p{}frontier using 1:2 with steps lw 3 lc rgb '#dddddd' notitle", p);
@@ -159,6 +173,10 @@ std::string panel_commands(const AccuracyFigure& figure, std::size_t p, double h
   if (has_rings(figure))
     curves += fmt::format(", {} using 1:2 with points pt 6 ps 1 lw 0.6 lc rgb '{}' notitle",
                           rings(p), black);
+  // Errors fall with cost: below and left of a point there is room.
+  if (has_names(figure))
+    curves += fmt::format(", {} using 1:2:3 with labels right offset -0.2,-0.6 font ',6.5' notitle",
+                          names(p));
   return text + "plot " + curves + "\n";
 }
 
@@ -199,7 +217,8 @@ std::string accuracy_script(const AccuracyFigure& figure) {
       "set ylabel font ',7'\n"
       "unset key\n"
       "set multiplot\n",
-      cost.low / 1.2, cost.high * 1.2, ticks(0.1, 1e6, cost.high / cost.low), ticks(1e-5, 10, 1));
+      cost.low / (has_names(figure) ? 2 : 1.2), cost.high * 1.2,
+      ticks(0.1, 1e6, cost.high / cost.low), ticks(1e-5, 10, 1));
   for (std::size_t p = 0; p < figure.panels.size(); ++p) text += panel_commands(figure, p, height);
   return text + legend_commands(figure) + "unset multiplot\n";
 }

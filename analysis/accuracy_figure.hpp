@@ -15,6 +15,7 @@ struct AccuracyPoint {
   double core_seconds = 0;    ///< per impact
   std::vector<Error> errors;  ///< one per panel
   bool whole = true;          ///< of all impacts; others are ringed and no part of the frontier
+  std::string name;           ///< written beside it; none where empty
 };
 
 /// A knob: its settings are joined in the order of their cost, with the default among them.

@@ -10,6 +10,7 @@
 
 #include "campaign/csv.hpp"
 #include "campaign/ensemble.hpp"
+#include "campaign/fidelity.hpp"
 
 namespace eerie {
 
@@ -228,6 +229,22 @@ std::string chart_runs_csv(const ChartStudy& study, const std::vector<ChartResul
   return csv;
 }
 
+namespace {
+
+/// The fidelity that a setting is, if any; a knob that turns something else leaves it nameless.
+std::string fidelity_of_setting(const ChartStudy& study, std::size_t setting) {
+  const auto is_part = [](const std::string& path) {
+    return path.starts_with("numerics.") || path.starts_with("end.");
+  };
+  for (const auto& [path, value] : study.settings[setting].set.items())
+    if (!is_part(path)) return "";
+  const std::vector<ChartRun> runs = runs_of(study);
+  const auto run = std::ranges::find(runs, setting, &ChartRun::setting);
+  return std::string(fidelity_of(to_json(run->scene)));
+}
+
+}  // namespace
+
 AccuracyFigure chart_figure(const ChartStudy& study, const std::vector<ChartPoint>& points) {
   AccuracyFigure figure{{"b/a", "c/a", "mass of the largest / all", "period, relative"}, {}, {}};
   for (const ChartPoint& p : points) {
@@ -235,7 +252,8 @@ AccuracyFigure chart_figure(const ChartStudy& study, const std::vector<ChartPoin
     if (s.knob == reference_knob) continue;
     if (figure.series.empty() || figure.series.back().name != s.knob)
       figure.series.push_back({s.knob, s.knob == default_knob, {}});
-    AccuracyPoint point{s.label, p.core_seconds, {}, p.whole};
+    AccuracyPoint point{
+        s.label, p.core_seconds, {}, p.whole, fidelity_of_setting(study, p.setting)};
     for (const Deviation& d : {p.b_over_a, p.c_over_a, p.m_1, p.period})
       point.errors.push_back({d.error, d.noise});
     figure.series.back().points.push_back(std::move(point));

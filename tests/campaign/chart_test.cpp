@@ -174,5 +174,22 @@ TEST(Chart, DrawsKnobsByNameAndTheDefaultAsAStar) {
   EXPECT_THAT(script, Not(HasSubstr("some impacts only")));
 }
 
+TEST(Chart, WritesTheNamesOfFidelitiesBesideTheirPoints) {
+  json document = small_study();
+  document.erase("scene");  // the default is the whole sketch
+  document["knobs"][0]["settings"][0]["set"] = {{"numerics.particles_per_target", 1000}};
+  const ChartStudy study = parse_chart_study(document, "chart.json");
+  const AccuracyFigure figure = chart_figure(
+      study, chart_points(study, results(
+                                     study, [](std::size_t, std::size_t) { return 0.3; },
+                                     [](std::size_t s) { return s == 0 ? 1.0 : 10.0; })));
+  EXPECT_EQ(figure.series[0].points[0].name, "sketch");
+  EXPECT_EQ(figure.series[1].points[0].name, "survey");
+  EXPECT_EQ(figure.series[1].points[1].name, "");
+  const std::string script = accuracy_script(figure);
+  EXPECT_THAT(script, HasSubstr(" sketch\n10 0.00"));
+  EXPECT_THAT(script, HasSubstr("$p3names using 1:2:3 with labels"));
+}
+
 }  // namespace
 }  // namespace eerie
