@@ -56,6 +56,13 @@ std::vector<db::NewJob> jobs_of(const std::vector<Scene>& scenes) {
   return jobs;
 }
 
+std::vector<db::NewJob> jobs_in_order(const std::vector<Scene>& scenes) {
+  std::vector<db::NewJob> jobs = jobs_of(scenes);
+  int priority = 0;
+  for (db::NewJob& job : jobs) job.priority = priority--;
+  return jobs;
+}
+
 std::vector<std::string> cautions(const std::vector<Scene>& scenes) {
   std::vector<std::pair<std::string, std::size_t>> counted;  // in the order of their first scene
   for (const Scene& scene : scenes)

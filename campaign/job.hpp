@@ -22,6 +22,9 @@ db::NewJob new_job(const Scene& scene);
 /// The distinct jobs of the scenes of a sweep.
 std::vector<db::NewJob> jobs_of(const std::vector<Scene>& scenes);
 
+/// The same, to be run in the order of the scenes: each has a lower priority than the one before.
+std::vector<db::NewJob> jobs_in_order(const std::vector<Scene>& scenes);
+
 /// The warnings (solver/scene/guards.hpp) of all scenes, each once, with how many it concerns.
 std::vector<std::string> cautions(const std::vector<Scene>& scenes);
 

@@ -102,8 +102,8 @@ AddedSweep add_sweep(SQLite::Database& sql, const std::string& name, const std::
   added.sweep = sweep_id(sql, name, document);
   SQLite::Statement insert(sql, R"(INSERT OR IGNORE INTO jobs
         (hash, q, phi_d_deg, v_imp_cm_per_s, theta_imp_deg, v_over_v_esc, particles_per_target,
-         seed, end_time_s, expected_particle_steps, fidelity)
-        VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?))");
+         seed, end_time_s, expected_particle_steps, fidelity, priority)
+        VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?))");
   SQLite::Statement insert_scene(
       sql, "INSERT INTO job_scenes (job_id, scene) SELECT id, ? FROM jobs WHERE hash = ?");
   SQLite::Statement insert_settings(sql, R"(INSERT OR IGNORE INTO job_settings (scene)
@@ -117,7 +117,7 @@ AddedSweep add_sweep(SQLite::Database& sql, const std::string& name, const std::
   for (const NewJob& j : new_jobs) {
     bind_all(insert, j.hash, j.q, j.phi_d_deg, j.v_imp_cm_per_s, j.theta_imp_deg, j.v_over_v_esc,
              j.particles_per_target, j.seed, j.end_time_s, j.expected_particle_steps,
-             null_if_empty(j.fidelity));
+             null_if_empty(j.fidelity), j.priority);
     if (insert.exec() == 1) {
       ++added.added;
       bind_all(insert_scene, j.scene, j.hash);

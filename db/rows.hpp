@@ -23,6 +23,7 @@ struct NewJob {
   double end_time_s = 0;
   double expected_particle_steps = 0;
   std::string fidelity = {};  ///< empty: its settings have no name
+  int priority = 0;           ///< higher ones come first
 };
 
 /// What the user wants of a job, beside what is seen of it.

@@ -34,7 +34,7 @@ Tally run_scenes(const StudyArguments& a, const std::string& name, const std::st
         fmt::format("--budget = {:g}: does not pay for the first run; raise it", a.core_hours));
   catch_stop_signals();
   hold_signals();
-  const db::AddedSweep added = db::add_sweep(connection, name, document, jobs_of(scenes));
+  const db::AddedSweep added = db::add_sweep(connection, name, document, jobs_in_order(scenes));
   const std::size_t left = tally(connection, added.sweep).left;
   if (!a.json) {
     fmt::print("{}: {} runs within the budget, {}{} to run\n", name, scenes.size() + known,

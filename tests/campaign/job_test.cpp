@@ -40,5 +40,14 @@ TEST(Job, HasTheColumnsOfItsScene) {
   EXPECT_EQ(job.hash, scene_hash(parse_scene(nlohmann::json::parse(job.scene))));
 }
 
+TEST(Job, OfScenesInOrderComesAfterThoseBeforeIt) {
+  const Scene cheap = scene_with({{"numerics", {{"particles_per_target", 300}}}});
+  const Scene dear = scene_with({{"numerics", {{"particles_per_target", 5000}}}});
+  const std::vector<db::NewJob> jobs = jobs_in_order({cheap, dear, cheap});
+  ASSERT_EQ(jobs.size(), 2u);
+  EXPECT_EQ(jobs[0].hash, scene_hash(cheap));
+  EXPECT_GT(jobs[0].priority, jobs[1].priority);
+}
+
 }  // namespace
 }  // namespace eerie

@@ -66,6 +66,15 @@ TEST_F(Jobs, ComeLongestFirst) {
   EXPECT_THAT(lengths, testing::ElementsAre(1e6 + 3, 1e6 + 2, 1e6 + 1, 1e6));
 }
 
+TEST_F(Jobs, ComeByTheirPriorityBeforeTheirLength) {
+  std::vector<NewJob> new_jobs = sample_jobs(3);  // the last is the longest
+  new_jobs[0].priority = 2, new_jobs[1].priority = 1;
+  add_sweep(connection, "s", "{}", new_jobs);
+  std::vector<std::string> hashes;
+  for (const Job& row : next_jobs(connection, std::nullopt, 3)) hashes.push_back(row.hash);
+  EXPECT_THAT(hashes, testing::ElementsAre(new_jobs[0].hash, new_jobs[1].hash, new_jobs[2].hash));
+}
+
 TEST_F(Jobs, KeepTheirScenes) {
   add_sweep(connection, "s", "{}", sample_jobs(2));
   for (const Job& row : jobs(connection, {}))
