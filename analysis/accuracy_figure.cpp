@@ -148,7 +148,8 @@ std::vector<std::size_t> drawing_order(const AccuracyFigure& figure) {
 }
 
 std::string panel_commands(const AccuracyFigure& figure, std::size_t p, double height_pt) {
-  const auto column = static_cast<double>(p % 2), line = static_cast<double>(p / 2);
+  const std::size_t line_of_panel = p / 2;
+  const auto column = static_cast<double>(p % 2), line = static_cast<double>(line_of_panel);
   const double left = left_pt + column * (panel_width_pt / 1.3 + between_columns_pt + left_pt);
   const double right = left + panel_width_pt / 1.3;
   const double top = height_pt - top_pt - line * (panel_height_pt + between_pt);
@@ -199,8 +200,8 @@ std::string legend_commands(const AccuracyFigure& figure) {
 }
 
 double height_of(const AccuracyFigure& figure) {
-  const auto lines = static_cast<double>((figure.panels.size() + 1) / 2);
-  return top_pt + lines * (panel_height_pt + between_pt);
+  const std::size_t lines = (figure.panels.size() + 1) / 2;
+  return top_pt + static_cast<double>(lines) * (panel_height_pt + between_pt);
 }
 
 }  // namespace

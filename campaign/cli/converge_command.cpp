@@ -92,8 +92,9 @@ int converge(const ConvergeArguments& a) {
   const std::vector<StudyResult> results =
       finished_runs(runs, database ? &*database : nullptr, known);
   if (results.empty())
-    throw InputError(fmt::format("{}: the database {} has no result of this study",
-                                 a.work.study.string(), a.work.database.string()));
+    throw InputError(fmt::format("{}: the database {} has no result of this study{}",
+                                 a.work.study.string(), a.work.database.string(),
+                                 known.empty() ? "" : ", nor have the known tables"));
   make_folder_of(a.folder / "runs.csv");
   const std::vector<StudyCell> cells = cells_of(study, results);
   const std::vector<Reach> reaches = reaches_of(study, cells);
