@@ -232,13 +232,13 @@ std::string chart_runs_csv(const ChartStudy& study, const std::vector<ChartResul
 namespace {
 
 /// The fidelity that a setting is, if any; a knob that turns something else leaves it nameless.
-std::string fidelity_of_setting(const ChartStudy& study, std::size_t setting) {
+std::string fidelity_of_setting(const ChartStudy& study, const std::vector<ChartRun>& runs,
+                                std::size_t setting) {
   const auto is_part = [](const std::string& path) {
     return path.starts_with("numerics.") || path.starts_with("end.");
   };
   for (const auto& [path, value] : study.settings[setting].set.items())
     if (!is_part(path)) return "";
-  const std::vector<ChartRun> runs = runs_of(study);
   const auto run = std::ranges::find(runs, setting, &ChartRun::setting);
   return std::string(fidelity_of(to_json(run->scene)));
 }
@@ -247,13 +247,14 @@ std::string fidelity_of_setting(const ChartStudy& study, std::size_t setting) {
 
 AccuracyFigure chart_figure(const ChartStudy& study, const std::vector<ChartPoint>& points) {
   AccuracyFigure figure{{"b/a", "c/a", "mass of the largest / all", "period, relative"}, {}, {}};
+  const std::vector<ChartRun> runs = runs_of(study);
   for (const ChartPoint& p : points) {
     const ChartStudy::Setting& s = study.settings[p.setting];
     if (s.knob == reference_knob) continue;
     if (figure.series.empty() || figure.series.back().name != s.knob)
       figure.series.push_back({s.knob, s.knob == default_knob, {}});
     AccuracyPoint point{
-        s.label, p.core_seconds, {}, p.whole, fidelity_of_setting(study, p.setting)};
+        s.label, p.core_seconds, {}, p.whole, fidelity_of_setting(study, runs, p.setting)};
     for (const Deviation& d : {p.b_over_a, p.c_over_a, p.m_1, p.period})
       point.errors.push_back({d.error, d.noise});
     figure.series.back().points.push_back(std::move(point));

@@ -43,14 +43,8 @@ fs::path beside(const fs::path& picture, const std::string& end) {
 
 int chart(const ChartArguments& a) {
   const ChartStudy study = load_chart_study(a.work.study);
-  const std::vector<ChartRun> runs = runs_of(study);
-  const RunRecords known = read_run_records(a.work.known);
-  const Tally left = a.work.draw_only
-                         ? Tally{}
-                         : run_study(a.work, study.name, study.document.dump(), runs, known);
-  const std::optional<db::Connection> database = results_database(a.work);
-  const std::vector<ChartResult> results =
-      finished_runs(runs, database ? &*database : nullptr, known);
+  const auto [left, results, jobs] =
+      work_on_study(a.work, study.name, study.document.dump(), runs_of(study));
   const std::vector<ChartPoint> points = chart_points(study, results);
   if (points.empty())
     throw InputError(fmt::format(

@@ -83,24 +83,16 @@ std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResul
 
 int converge(const ConvergeArguments& a) {
   const Study study = load_study(a.work.study);
-  const std::vector<StudyRun> runs = runs_of(study);
-  const RunRecords known = read_run_records(a.work.known);
-  const Tally left = a.work.draw_only
-                         ? Tally{}
-                         : run_study(a.work, study.name, study.document.dump(), runs, known);
-  const std::optional<db::Connection> database = results_database(a.work);
-  const std::vector<StudyResult> results =
-      finished_runs(runs, database ? &*database : nullptr, known);
+  const auto [left, results, jobs] =
+      work_on_study(a.work, study.name, study.document.dump(), runs_of(study));
   if (results.empty())
     throw InputError(fmt::format("{}: the database {} has no result of this study{}",
                                  a.work.study.string(), a.work.database.string(),
-                                 known.empty() ? "" : ", nor have the known tables"));
+                                 a.work.known.empty() ? "" : ", nor have the known tables"));
   make_folder_of(a.folder / "runs.csv");
   const std::vector<StudyCell> cells = cells_of(study, results);
   const std::vector<Reach> reaches = reaches_of(study, cells);
-  const std::vector<fs::path> files =
-      write_all(study, results, cells, reaches, a.folder,
-                database ? std::optional(job_folder(*database)) : std::nullopt);
+  const std::vector<fs::path> files = write_all(study, results, cells, reaches, a.folder, jobs);
   if (a.work.json) {
     json names = json::array();
     for (const fs::path& file : files) names.push_back(file.string());

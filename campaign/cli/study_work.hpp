@@ -7,7 +7,9 @@
 
 #include "campaign/cli/options.hpp"
 #include "campaign/cli/work.hpp"
+#include "campaign/finished_run.hpp"
 #include "campaign/job.hpp"
+#include "campaign/job_directory.hpp"
 #include "campaign/run_records.hpp"
 #include "campaign/study.hpp"
 #include "campaign/throughput.hpp"
@@ -31,6 +33,19 @@ void add_study(CLI::App& app, StudyArguments& arguments);
 template <class Run>
 Tally run_study(const StudyArguments& a, const std::string& name, const std::string& document,
                 std::vector<Run> runs, const RunRecords& known);
+
+/// A study after its work: what is left of it and all results, known ones included.
+template <class Run>
+struct StudyWork {
+  Tally left;
+  std::vector<Finished<Run>> results;
+  std::optional<JobFolder> jobs;  ///< nothing where there is no database
+};
+
+/// Runs what run_study() would, unless figures alone are asked for, and collects the results.
+template <class Run>
+StudyWork<Run> work_on_study(const StudyArguments& a, const std::string& name,
+                             const std::string& document, const std::vector<Run>& runs);
 
 /// To read the results from; nothing where there is no database and figures are drawn of known runs
 /// alone.
@@ -57,6 +72,16 @@ Tally run_study(const StudyArguments& a, const std::string& name, const std::str
   for (const Run& run : runs)
     if (!known.contains(scene_hash(run.scene))) scenes.push_back(run.scene);
   return run_scenes(a, name, document, scenes, runs.size() - scenes.size(), connection);
+}
+
+template <class Run>
+StudyWork<Run> work_on_study(const StudyArguments& a, const std::string& name,
+                             const std::string& document, const std::vector<Run>& runs) {
+  const RunRecords known = read_run_records(a.known);
+  const Tally left = a.draw_only ? Tally{} : run_study(a, name, document, runs, known);
+  const std::optional<db::Connection> database = results_database(a);
+  if (!database) return {left, finished_runs(runs, nullptr, known), {}};
+  return {left, finished_runs(runs, &*database, known), job_folder(*database)};
 }
 
 }  // namespace eerie::cli
