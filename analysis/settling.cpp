@@ -116,6 +116,10 @@ double time_to_contact(const PointMass& one, const PointMass& other, double cont
                                                   : std::numeric_limits<double>::infinity();
 }
 
+double time_to_contact(const Remnant& one, const Remnant& other) {
+  return time_to_contact(point(one), point(other), (one.shape.a + other.shape.a) / 2);
+}
+
 bool is_watched(const Remnant& r, const Scene::Settled& settled) {
   return r.mass_over_total >= settled.mass;
 }
@@ -135,6 +139,13 @@ std::vector<RemnantLook> look(double time_s, const Remnants& found, const Scene:
 
 std::string unsteadiness(Looks looks, const Scene::Settled& settled) {
   return unsteadiness(looks, looks_per_window, settled);
+}
+
+std::string restlessness(Looks looks, const Scene::Settled& settled) {
+  constexpr double slack = 3;
+  Scene::Settled wide = settled;
+  wide.fall_back *= slack;
+  return unsteadiness(looks, looks_per_window / 2, wide);
 }
 
 std::string liveliness(Looks looks, const Remnants& found, double horizon, double sound_speed,
@@ -159,6 +170,16 @@ std::string liveliness(Looks looks, const Remnants& found, double horizon, doubl
   return "";
 }
 
+double next_meeting(const Remnants& found, const Scene::Settled& settled) {
+  const std::vector<Remnant>& all = found.remnants;
+  double first = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = i + 1; j < all.size(); ++j)
+      if (is_watched(all[i], settled) && is_watched(all[j], settled))
+        first = std::min(first, time_to_contact(all[i], all[j]));
+  return first;
+}
+
 double horizon(const Scene::End& end, double time_s) {
   return std::min(end.settled.horizon_s, std::max(end.time_s, end.latest_s) - time_s);
 }
@@ -177,8 +198,7 @@ std::string encounters(const Remnants& found, double total, double horizon,
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j) {
       if (!is_watched(all[i], settled) || !is_watched(all[j], settled)) continue;
-      const double time =
-          time_to_contact(point(all[i]), point(all[j]), (all[i].shape.a + all[j].shape.a) / 2);
+      const double time = time_to_contact(all[i], all[j]);
       if (time <= horizon)
         return fmt::format("remnants {} and {} will meet in about {:.0f} s", all[i].rank,
                            all[j].rank, time);

@@ -32,6 +32,15 @@ std::string unsteadiness(std::span<const RemnantLook> looks, const Scene::Settle
 std::string liveliness(std::span<const RemnantLook> looks, const Remnants& found, double horizon,
                        double sound_speed, const Scene::Settled& settled);
 
+/// What keeps remnants from flying as rigid bodies (numerics.rigid_flight); empty where nothing
+/// does: over half a window they kept within the tolerances, three times that for mass that falls
+/// back.
+std::string restlessness(std::span<const RemnantLook> looks, const Scene::Settled& settled);
+
+/// Time until the first contact of two remnants, s; infinity where none is to come. As in
+/// encounters().
+double next_meeting(const Remnants& found, const Scene::Settled& settled);
+
 /// What gravity will bring within `horizon` (s): the first contact of two remnants, more fragments
 /// falling back than settled.fall_back allows, or a remnant that gathers from fragments; empty
 /// where nothing. `total`: mass of both bodies, kg. Orbits are those of pairs; contact is at the

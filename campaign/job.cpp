@@ -18,6 +18,9 @@ double mutual_escape_speed(const Scene& scene) {
                    contact_distance(scene));
 }
 
+/// Impacts that fly while they wait are computed as matter for about so long, s.
+constexpr double typical_time_without_flight = 5e4;
+
 double expected_particle_steps(const Scene& scene) {
   const double c = bulk_sound_speed(scene);
   const double c_l =
@@ -25,7 +28,10 @@ double expected_particle_steps(const Scene& scene) {
   const double dt = scene.numerics.cfl * smoothing_length(scene) / c_l;
   const auto particles =
       static_cast<double>(scene.numerics.particles_per_target + impactor_particles(scene));
-  return particles * std::ceil(scene.end.time_s / dt);
+  const double computed_s = scene.numerics.rigid_flight
+                                ? std::min(scene.end.time_s, typical_time_without_flight)
+                                : scene.end.time_s;
+  return particles * std::ceil(computed_s / dt);
 }
 
 db::NewJob new_job(const Scene& scene) {

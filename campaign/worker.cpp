@@ -10,6 +10,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "analysis/flight/landing.hpp"
 #include "analysis/settled.hpp"
 #include "analysis/settling.hpp"
 #include "campaign/heartbeat.hpp"
@@ -218,12 +219,17 @@ Computed compute(const Scene& scene, const fs::path& directory, int threads, lon
            unsteadiness(looks.rows(), scene.end.settled).empty();
   };
   options.calm = [&](const Snapshot& snapshot) {
-    return liveliness(looks.rows(), latest.of(snapshot.state),
-                      horizon(scene.end, snapshot.state.time),
+    const Remnants& found = latest.of(snapshot.state);
+    if (scene.numerics.rigid_flight && impact_ahead(found, scene.end.settled)) return false;
+    return liveliness(looks.rows(), found, horizon(scene.end, snapshot.state.time),
                       scene.numerics.late_sound_speed * bulk_sound_speed(scene), scene.end.settled)
         .empty();
   };
   options.stop = StopRequest(JobDirectory{directory}.stop());
+  if (scene.numerics.rigid_flight)
+    options.fly = [&](const Snapshot& snapshot, double until) {
+      return flight_from(snapshot, until, looks.rows(), latest.of(snapshot.state), options.stop);
+    };
   options.on_note = [](const std::string& note) { spdlog::info("{}", note); };
   Computed computed;
   computed.summary = run_impact(scene, options);

@@ -86,6 +86,7 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/numerics/gravity_interval", s.numerics.gravity_interval);
   visit("/numerics/list_skin", s.numerics.list_skin);
   visit("/numerics/late_sound_speed", s.numerics.late_sound_speed);
+  visit("/numerics/rigid_flight", s.numerics.rigid_flight);
   visit("/numerics/precision", s.numerics.precision);
   visit("/end/time_s", s.end.time_s);
   visit("/end/latest_s", s.end.latest_s);
@@ -143,6 +144,16 @@ void require_consistent(const Scene& scene, const std::string& where) {
         "{}.numerics.late_sound_speed = {:g}: a late phase keeps no energy budget; set it to 1, or "
         "material.energy to \"none\"",
         where, scene.numerics.late_sound_speed));
+  if (scene.numerics.rigid_flight && scene.end.settled.window_s == 0)
+    throw InputError(fmt::format(
+        "{}.numerics.rigid_flight = true: whether remnants may fly is asked as often as "
+        "the settled stop looks; set end.settled.window_s too, to 4000 for instance",
+        where));
+  if (scene.numerics.rigid_flight && m.energy != "none")
+    throw InputError(
+        fmt::format("{}.numerics.rigid_flight = true: what lands in a flight keeps no energy "
+                    "budget; set it to false, or material.energy to \"none\"",
+                    where));
   const std::vector<Scene::Wall>& walls = scene.environment.walls;
   for (std::size_t a = 0; a < walls.size(); ++a)
     for (std::size_t b = a + 1; b < walls.size(); ++b) {
@@ -215,8 +226,9 @@ json to_json(const Scene& scene) {
   std::size_t field = 0;
   visit_fields(scene,
                [&](const char*, const auto& member) { document[pointers[field++]] = member; });
-  // Younger than the first results: where it is off, a scene is written as it was before.
+  // Younger than the first results: where they are off, a scene is written as it was before.
   if (scene.numerics.void_density == 0) document["numerics"].erase("void_density");
+  if (!scene.numerics.rigid_flight) document["numerics"].erase("rigid_flight");
   return document;
 }
 

@@ -99,6 +99,7 @@ struct Scene {
     std::int64_t gravity_interval;  ///< the most steps from one evaluation to the next
     double list_skin;               ///< extra neighbour search radius over 2h
     double late_sound_speed;        ///< times sound speeds once nothing moves fast; 1: never
+    bool rigid_flight;              ///< clumps that do not change fly as rigid bodies
     std::string precision;          ///< of pair sums: "float" or "double"; the state is double
   } numerics;
 
@@ -129,8 +130,8 @@ struct Scene {
 Scene parse_scene(const nlohmann::json& json, const std::string& where = "scene");
 
 /// The scene with every field written out, in sorted order and with canonical numbers
-/// (30 and 30.0 are one); numerics.void_density only where it is on. parse_scene() of it gives the
-/// same scene.
+/// (30 and 30.0 are one); numerics.void_density and rigid_flight only where they are on.
+/// parse_scene() of it gives the same scene.
 nlohmann::json to_json(const Scene& scene);
 
 /// A numeric field by its JSON pointer ("/impact/q"), and a value that the schema allows.

@@ -1,5 +1,6 @@
 #include "solver/step/late.hpp"
 
+#include <utility>
 #include <variant>
 
 namespace eerie {
@@ -13,16 +14,22 @@ Scene softened(Scene scene, double factor) {
   return scene;
 }
 
-State softened(State state, const std::vector<double>& pressure, const Scene& scene) {
-  state.softening *= scene.numerics.late_sound_speed;
-  const Material softer = make_material(softened(scene, state.softening));
+State with_softening(State state, const std::vector<double>& pressure, const Scene& scene,
+                     double softening) {
+  state.softening = softening;
+  const Material other = make_material(softened(scene, softening));
   std::visit(
       [&](const auto& eos) {
         for (std::size_t i = 0; i < state.size(); ++i)
           if (pressure[i] != 0) state.rho[i] = eos.density_at(pressure[i]);
       },
-      softer.eos);
+      other.eos);
   return state;
+}
+
+State softened(State state, const std::vector<double>& pressure, const Scene& scene) {
+  const double softening = state.softening * scene.numerics.late_sound_speed;
+  return with_softening(std::move(state), pressure, scene, softening);
 }
 
 }  // namespace eerie

@@ -13,9 +13,13 @@ namespace eerie {
 /// it stays stiff against its own weight and against what still falls on it.
 Scene softened(Scene scene, double factor);
 
-/// The state as it enters its late phase: softening times `factor` (numerics.late_sound_speed), and
-/// the densities at which the softer material has the same pressures. What has no pressure, and the
-/// deviatoric stress, stay. `pressure`: of the state, Pa.
+/// The state with material of another `softening` (1: that of the scene) and the densities at which
+/// that has the same pressures. What has no pressure, and the deviatoric stress, stay. `pressure`:
+/// of the state, Pa.
+State with_softening(State state, const std::vector<double>& pressure, const Scene& scene,
+                     double softening);
+
+/// The state as it enters its late phase: numerics.late_sound_speed softer.
 State softened(State state, const std::vector<double>& pressure, const Scene& scene);
 
 }  // namespace eerie

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "solver/base/error.hpp"
@@ -36,6 +37,10 @@ class Schedule {
     return n > done_ ? (done_ = n, true) : false;
   }
   long count() const { return done_; }
+  double next() const {
+    return interval_ > 0 ? static_cast<double>(done_ + 1) * interval_
+                         : std::numeric_limits<double>::infinity();
+  }
 
  private:
   long passed(double now) const {
@@ -130,25 +135,44 @@ class Run {
  private:
   /// Asked after every cycle; looks at the remnants when a look is due and at the goals alone.
   std::optional<EndReason> reason_to_end() {
-    const double now = solver_.state().time;
-    if (looks_.due(now)) {
+    if (looks_.due(solver_.state().time)) {
       const Snapshot now_there = snapshot();
       if (options_.settled && options_.settled(now_there)) return EndReason::settled;
       if (scene_.numerics.late_sound_speed < 1 && solver_.state().softening == 1 && options_.calm &&
           options_.calm(now_there))
         begin_late_phase();
+      else if (options_.fly)
+        if (auto landing = options_.fly(now_there, next_stop())) land(*std::move(landing));
     }
+    const double now = solver_.state().time;
     if (now < goal_ * (1 - Ending::rounding)) return std::nullopt;
     const auto reason = ending_.reason(now, [this] { return snapshot(); });
     if (!reason) goal_ = ending_.next(now);
     return reason;
   }
 
-  void begin_late_phase() {
-    StageTimes spent = solver_.stages();
+  /// Goes on with another state; the new solver keeps the old one's accounts.
+  void go_on_with(State state) {
+    const StageTimes spent = solver_.stages();
     earlier_list_builds_ += solver_.list_builds();
-    solver_ = Solver(scene_, softened(solver_.state(), solver_.pressure(), scene_));
+    solver_ = Solver(scene_, std::move(state));
     for (std::size_t k = 0; k < stage_count; ++k) solver_.stages().seconds[k] += spent.seconds[k];
+  }
+
+  /// A flight must not pass over a snapshot, or the moment at which the run may end.
+  double next_stop() const { return std::min(goal_, snapshots_.next()); }
+
+  void land(Landing landing) {
+    State& state = landing.state;
+    if (landing.for_impact && state.softening < 1)
+      state = with_softening(std::move(state), solver_.pressure(), scene_, 1);
+    go_on_with(std::move(state));
+    looks_.due(solver_.state().time);  // the next one after a whole interval, as after a restart
+    note(fmt::format("t = {:.0f} s: {}", solver_.state().time, landing.how));
+  }
+
+  void begin_late_phase() {
+    go_on_with(softened(solver_.state(), solver_.pressure(), scene_));
     note(fmt::format("t = {:.0f} s: remnants are calm; sound speeds are {:g} times what they were",
                      solver_.state().time, scene_.numerics.late_sound_speed));
   }
@@ -235,7 +259,7 @@ class Run {
   Snapshot last_good_;  ///< a checkpoint of the last history row
   Ending ending_;
   double goal_;                   ///< the run may end then, and is asked again
-  long earlier_list_builds_ = 0;  ///< before the late phase
+  long earlier_list_builds_ = 0;  ///< of solvers before this one
   std::optional<EndReason> over_;
 };
 

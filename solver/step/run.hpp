@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "solver/base/stages.hpp"
@@ -42,6 +43,13 @@ struct RunSummary {
   int threads = 1;
 };
 
+/// What came of a time in which nothing changed but places (RunOptions::fly).
+struct Landing {
+  State state;              ///< later; particles in the order that they had
+  bool for_impact = false;  ///< bodies are about to meet: a late phase is over
+  std::string how;          ///< a sentence for the log
+};
+
 /// What the caller wants of a run besides its end.
 struct RunOptions {
   std::filesystem::path directory;  ///< checkpoint, snapshots and final state are installed here
@@ -55,6 +63,9 @@ struct RunOptions {
   /// Whether remnants hardly move: from then on sound speeds are numerics.late_sound_speed times
   /// what they were. Asked when `settled` is.
   std::function<bool(const Snapshot&)> calm;
+  /// Where nothing changes but places, the state at a later time, `until` at the latest; nothing
+  /// where matter has to be computed. Asked when `calm` is, after it.
+  std::function<std::optional<Landing>(const Snapshot&, double until)> fly;
   /// Whether nothing changes any more; asked `looks_per_window` times in end.settled.window_s,
   /// from the start on.
   std::function<bool(const Snapshot&)> settled;

@@ -1,0 +1,203 @@
+#include "analysis/flight/flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "solver/base/constants.hpp"
+#include "solver/tree/gravity.hpp"
+#include "solver/tree/kd_tree.hpp"
+
+namespace eerie {
+
+namespace {
+
+/// Step over sqrt(d^3/(G (m1 + m2))) of any pair with a heavy body, and over the time in which one
+/// turns by a radian.
+constexpr double step_over_orbit = 0.03, step_over_turn = 0.05;
+constexpr double longest_step = 300;  // s
+/// Particles are sorted again, and the caller is asked what is waited for, every so many steps.
+constexpr long steps_in_order = 16, steps_unasked = 50;
+constexpr double contact_in_spacings = 1.2, room_in_h = 3;
+/// Parts of a step in which a contact is looked for.
+constexpr int parts = 16;
+
+/// Least distance between any two of their particles is below `contact`.
+bool touch(const RigidBody& one, const RigidBody& other, double contact) {
+  const double reach = one.radius + other.radius + contact;
+  if (norm2(one.x - other.x) > reach * reach) return false;
+  const auto& [small, large] =
+      one.members.size() < other.members.size() ? std::tie(one, other) : std::tie(other, one);
+  const Mat3 back = transpose(large.turned);
+  for (std::size_t k = 0; k < small.members.size(); ++k) {
+    const Vec3 place = back * (small.place(k) - large.x);
+    for (const Vec3& offset : large.offsets)
+      if (norm2(offset - place) < contact * contact) return true;
+  }
+  return false;
+}
+
+class Flying {
+ public:
+  Flying(State&& state, const FlightPlan& plan)
+      : plan_(plan),
+        state_(std::move(state)),
+        contact_(std::min(contact_in_spacings * plan.spacing, linking_length_over_h * state_.h)),
+        tree_(state_.size()),
+        gravity_({state_.mass, state_.h, plan.opening_angle}),
+        sorted_(state_.size()),
+        g_(state_.size()) {
+    for (Clump& clump : friends_of_friends(state_.x, state_.id, linking_length_over_h * state_.h))
+      bodies_.push_back(rigid_body(state_, std::move(clump)));
+    attract();
+  }
+
+  Flight go() {
+    FlightEnd end = FlightEnd::time;
+    long steps = 0;
+    for (; state_.time < plan_.until_s; ++steps) {
+      if (plan_.stop && plan_.stop()) {
+        end = FlightEnd::stopped;
+        break;
+      }
+      if (heavy_ones_meet()) {
+        end = FlightEnd::encounter;
+        break;
+      }
+      if (landed_ > 0 && landed_ >= plan_.most_landed) {
+        end = FlightEnd::landed;
+        break;
+      }
+      if (steps % steps_unasked == 0 && plan_.waits && !plan_.waits(as_particles())) {
+        end = FlightEnd::nothing_left;
+        break;
+      }
+      step();
+    }
+    return {as_particles(), end, landed_, steps};
+  }
+
+ private:
+  struct Pull {
+    Vec3 force, torque;
+  };
+
+  void step() {
+    const double dt = std::min(time_step(), plan_.until_s - state_.time);
+    kick(dt / 2);
+    for (RigidBody& body : bodies_) body.drift(dt);
+    state_.time += dt;
+    land(dt);
+    attract();
+    kick(dt / 2);
+  }
+
+  void kick(double duration) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+      bodies_[b].kick(pulls_[b].force, pulls_[b].torque, duration);
+  }
+
+  /// Force and torque on every body, from the gravity of all particles.
+  void attract() {
+    for (const RigidBody& body : bodies_)
+      for (std::size_t k = 0; k < body.members.size(); ++k)
+        state_.x[body.members[k]] = body.place(k);
+    if (evaluations_++ % steps_in_order == 0) order_ = kd_order(state_.x, state_.id);
+    for (std::size_t k = 0; k < order_.size(); ++k) sorted_[k] = state_.x[order_[k]];
+    tree_.fit(sorted_);
+    gravity_.accelerations(tree_, sorted_,
+                           [this](std::size_t k, const Vec3& g) { g_[order_[k]] = g; });
+    pulls_.clear();
+    for (const RigidBody& body : bodies_) {
+      Pull pull;
+      for (const std::uint32_t i : body.members) {
+        pull.force += state_.mass * g_[i];
+        pull.torque += state_.mass * cross(state_.x[i] - body.x, g_[i]);
+      }
+      pulls_.push_back(pull);
+    }
+  }
+
+  bool is_heavy(const RigidBody& body) const { return body.mass >= plan_.heavy; }
+
+  double time_step() const {
+    double dt = longest_step;
+    for (std::size_t a = 0; a < bodies_.size(); ++a) {
+      if (!is_heavy(bodies_[a])) continue;
+      const double turning = norm(bodies_[a].angular_velocity());
+      if (turning > 0) dt = std::min(dt, step_over_turn / turning);
+      for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        if (b == a) continue;
+        const double d = norm(bodies_[a].x - bodies_[b].x);
+        const double mu = newton_G * (bodies_[a].mass + bodies_[b].mass);
+        dt = std::min(dt, step_over_orbit * std::sqrt(d * d * d / mu));
+      }
+    }
+    return dt;
+  }
+
+  bool heavy_ones_meet() const {
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      for (std::size_t b = a + 1; b < bodies_.size() && is_heavy(bodies_[a]); ++b)
+        if (is_heavy(bodies_[b]) && norm(bodies_[a].x - bodies_[b].x) < bodies_[a].radius +
+                                                                            bodies_[b].radius +
+                                                                            room_in_h * state_.h)
+          return true;
+    return false;
+  }
+
+  /// Sticks together what has come into contact within the last `dt`, at the place where it did.
+  void land(double dt) {
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      for (std::size_t b = a + 1; b < bodies_.size();) {
+        if (!touch(bodies_[a], bodies_[b], contact_)) {
+          ++b;
+          continue;
+        }
+        landed_ += std::min(bodies_[a].mass, bodies_[b].mass);
+        stick(a, b, dt);
+        b = a + 1;  // what is larger now may touch more
+      }
+  }
+
+  /// They stick where they first touched, and go on from there as one.
+  void stick(std::size_t a, std::size_t b, double dt) {
+    RigidBody one = bodies_[a], other = bodies_[b];
+    const double part = dt / parts;
+    int back = 0;
+    for (; back < parts; ++back) {
+      RigidBody one_before = one, other_before = other;
+      one_before.drift(-part), other_before.drift(-part);
+      if (!touch(one_before, other_before, contact_)) break;
+      one = std::move(one_before), other = std::move(other_before);
+    }
+    bodies_[a] = stuck_together(one, other, state_);
+    bodies_[a].drift(back * part);
+    bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(b));
+  }
+
+  State as_particles() const {
+    State state = state_;
+    for (const RigidBody& body : bodies_) put_back(body, state);
+    return state;
+  }
+
+  const FlightPlan& plan_;
+  State state_;
+  double contact_;  ///< m
+  std::vector<RigidBody> bodies_;
+  std::vector<Pull> pulls_;
+  KdTree tree_;
+  Gravity gravity_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Vec3> sorted_, g_;
+  long evaluations_ = 0;
+  double landed_ = 0;
+};
+
+}  // namespace
+
+Flight fly(State state, const FlightPlan& plan) { return Flying(std::move(state), plan).go(); }
+
+}  // namespace eerie

@@ -1,0 +1,72 @@
+#include "analysis/flight/landing.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "analysis/flight/flight.hpp"
+
+namespace eerie {
+
+namespace {
+
+/// Of all the mass: lighter bodies may land without being computed as matter.
+constexpr double heavy_over_total = 0.005;
+
+std::string why(FlightEnd end) {
+  switch (end) {
+    case FlightEnd::time:
+      return "until the next snapshot or the end";
+    case FlightEnd::encounter:
+      return "two of them are about to meet";
+    case FlightEnd::landed:
+      return "so much has landed that shapes may change";
+    case FlightEnd::nothing_left:
+      return "nothing will meet any more";
+    case FlightEnd::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
+}  // namespace
+
+bool impact_ahead(const Remnants& found, const Scene::Settled& settled) {
+  return next_meeting(found, settled) <= settled.window_s / 2;
+}
+
+std::optional<Landing> flight_from(const Snapshot& now, double until,
+                                   std::span<const RemnantLook> looks, const Remnants& found,
+                                   const std::function<bool()>& stop) {
+  const Scene& scene = now.scene;
+  const Scene::Settled& settled = scene.end.settled;
+  const double total = now.state.mass * static_cast<double>(now.state.size());
+  if (impact_ahead(found, settled)) {
+    if (now.state.softening == 1) return std::nullopt;
+    return Landing{now.state, true, "two of them are about to meet"};
+  }
+  const auto something_ahead = [&](double time, const Remnants& there) {
+    return !encounters(there, total, horizon(scene.end, time), settled).empty();
+  };
+  if (!restlessness(looks, settled).empty() || !something_ahead(now.state.time, found))
+    return std::nullopt;
+
+  FlightPlan plan;
+  plan.until_s = until;
+  plan.spacing = std::cbrt(now.state.mass / scene.material.rho0_kg_per_m3);
+  plan.opening_angle = scene.numerics.opening_angle;
+  plan.heavy = heavy_over_total * total;
+  plan.most_landed = settled.fall_back / 2 * total;
+  plan.waits = [&](const State& s) { return something_ahead(s.time, find_remnants(s)); };
+  plan.stop = stop;
+  Flight flight = fly(now.state, plan);
+  const double duration = flight.state.time - now.state.time;
+  if (flight.end == FlightEnd::stopped || duration < settled.window_s / 2) return std::nullopt;
+  return Landing{
+      std::move(flight.state), flight.end == FlightEnd::encounter,
+      fmt::format("{:.4f} of the mass landed, {}", flight.landed / total, why(flight.end))};
+}
+
+}  // namespace eerie

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/clumps.hpp"
+#include "solver/base/tensor.hpp"
+#include "solver/particles/state.hpp"
+
+namespace eerie {
+
+/// A clump that moves as one rigid piece, SI. Its particles are `members` of a state; each stays at
+/// x + R offset. Momentum and angular momentum are those of the particles that it was made of.
+struct RigidBody {
+  Clump members;
+  std::vector<Vec3> offsets;       ///< from the centre of mass, as they were when it was made, m
+  SymTensor inertia;               ///< about the centre of mass, as it was then, kg m^2
+  double mass = 0, radius = 0;     ///< radius: of the sphere about x that holds all members
+  Vec3 x, v;                       ///< of the centre of mass
+  Vec3 L;                          ///< about it, kg m^2/s
+  Mat3 turned = Mat3::identity();  ///< R: the rotation since it was made
+
+  Vec3 place(std::size_t k) const { return x + turned * offsets[k]; }
+  /// rad/s; nothing turns about a line of particles, or in a single one.
+  Vec3 angular_velocity() const;
+  /// Force and torque act for `duration` s.
+  void kick(const Vec3& force, const Vec3& torque, double duration) {
+    v += (duration / mass) * force, L += duration * torque;
+  }
+  /// Moves and turns freely for `duration` s: torque-free rotation by the midpoint rule, of second
+  /// order; L stays as it is.
+  void drift(double duration);
+};
+
+/// The members of a state as one rigid body.
+RigidBody rigid_body(const State& state, Clump members);
+
+/// What two bodies are once they stick: the same mass, centre, momentum and angular momentum, less
+/// the energy of their relative motion. Turns the stresses of their particles by as much as they
+/// had turned.
+RigidBody stuck_together(const RigidBody& one, const RigidBody& other, State& state);
+
+/// Gives the particles of a body the places and velocities of its rigid motion, and turns their
+/// stresses by as much as the body has turned since it was made.
+void put_back(const RigidBody& body, State& state);
+
+}  // namespace eerie

@@ -1,0 +1,140 @@
+#include "analysis/flight/rigid_body.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "solver/base/constants.hpp"
+#include "tests/analysis/bodies.hpp"
+
+namespace eerie {
+namespace {
+
+using test::spacing;
+using test::spinning;
+
+/// One body of the given half axes, turning with `omega` and moving with `v`.
+State spinning_body(const Vec3& half, const Vec3& omega, const Vec3& v = {}) {
+  State state = test::empty_state();
+  const std::vector<Vec3> x =
+      test::moved(test::ellipsoid(half, spacing), test::rotation({1, 2, 3}, 0.7), {30, -20, 10});
+  test::add(state, x, spinning(x, omega, v), Body::target);
+  return state;
+}
+
+Clump everything(const State& state) {
+  Clump all(state.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
+
+RigidBody body_of(const State& state) { return rigid_body(state, everything(state)); }
+
+struct Sums {
+  Vec3 momentum, L;
+};
+Sums sums(const State& state) {
+  Sums s;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    s.momentum += state.mass * state.v[i], s.L += state.mass * cross(state.x[i], state.v[i]);
+  return s;
+}
+
+double spin_energy(const RigidBody& body) { return dot(body.angular_velocity(), body.L) / 2; }
+
+double drift_of_energy(const RigidBody& start, double duration, int steps) {
+  RigidBody body = start;
+  for (int k = 0; k < steps; ++k) body.drift(duration / steps);
+  return std::abs(spin_energy(body) / spin_energy(start) - 1);
+}
+
+TEST(RigidBody, HasTheSpinOfItsParticles) {
+  const Vec3 omega{1e-4, -3e-4, 2e-4};
+  const RigidBody body = body_of(spinning_body({60, 30, 20}, omega));
+  EXPECT_LT(norm(body.angular_velocity() - omega), 1e-9 * norm(omega));
+}
+
+TEST(RigidBody, OfAStateThatMovesRigidlyIsPutBackAsItWas) {
+  const State before = spinning_body({60, 30, 20}, {1e-4, -3e-4, 2e-4}, {0.1, 0, -0.2});
+  State after = before;
+  put_back(body_of(before), after);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_LT(norm(after.x[i] - before.x[i]), 1e-12);
+    EXPECT_LT(norm(after.v[i] - before.v[i]), 1e-11);
+  }
+}
+
+// A free symmetric top: its axis goes round L at the rate L/I, I across the axis (Landau &
+// Lifshitz, Mechanics, sec. 33).
+TEST(RigidBody, PrecessesAsAFreeSymmetricTop) {
+  const Vec3 axis = test::rotation({1, 2, 3}, 0.7) * Vec3{1, 0, 0};
+  const RigidBody start = body_of(spinning_body({60, 20, 20}, 3e-4 * axis + Vec3{1e-4, 2e-4, 0}));
+  const SymTensor& I = start.inertia;
+  const double along = dot(axis, to_matrix(I) * axis), across = (trace(I) - along) / 2;
+  const double rate = norm(start.L) / across;
+  const double turns = 3 + 1.0 / 3;
+  RigidBody body = start;
+  const int steps = 3000;
+  for (int k = 0; k < steps; ++k) body.drift(turns * 2 * pi / rate / steps);
+  const Vec3 expected = test::rotation(start.L, 2 * pi / 3) * axis;
+  EXPECT_LT(norm(body.turned * axis - expected), 1e-3);
+  EXPECT_GT(norm(axis - expected), 0.1);
+}
+
+TEST(RigidBody, ThatTumblesKeepsItsEnergyToSecondOrder) {
+  // About its middle axis, where a free rotation is unstable.
+  const Vec3 middle = test::rotation({1, 2, 3}, 0.7) * Vec3{0, 1, 0};
+  const RigidBody body =
+      body_of(spinning_body({60, 40, 20}, 3e-4 * middle + Vec3{1e-6, 1e-6, 1e-6}));
+  const double coarse = drift_of_energy(body, 1e5, 500), fine = drift_of_energy(body, 1e5, 1000);
+  EXPECT_LT(fine, 1e-3);
+  EXPECT_LT(fine, coarse / 3);
+}
+
+TEST(RigidBody, StuckToAnotherKeepsMassMomentumAndAngularMomentum) {
+  State state = spinning_body({30, 20, 20}, {1e-4, 2e-4, 0}, {0.05, 0, 0});
+  const std::size_t first = state.size();
+  const std::vector<Vec3> x =
+      test::moved(test::ellipsoid({20, 20, 10}, spacing), Mat3::identity(), {80, -20, 10});
+  test::add(state, x, spinning(x, {0, 0, -4e-4}, {-0.1, 0.02, 0}), Body::impactor);
+  Clump one, other;
+  for (std::uint32_t i = 0; i < state.size(); ++i) (i < first ? one : other).push_back(i);
+  const Sums before = sums(state);
+  const RigidBody both = stuck_together(rigid_body(state, one), rigid_body(state, other), state);
+  put_back(both, state);
+  const Sums after = sums(state);
+  EXPECT_EQ(both.members.size(), state.size());
+  EXPECT_LT(norm(after.momentum - before.momentum), 1e-11 * norm(before.momentum));
+  EXPECT_LT(norm(after.L - before.L), 1e-8 * norm(before.L));
+}
+
+TEST(RigidBody, OfOneOrTwoParticlesHasItsAngularMomentum) {
+  State state = test::empty_state();
+  test::add(state, {{0, 0, 0}, {6, 0, 0}}, {{0, 0, 0.01}, {0, 0.02, -0.01}}, Body::target);
+  const Sums before = sums(state);
+  RigidBody pair = body_of(state);
+  pair.drift(100);
+  put_back(pair, state);
+  EXPECT_LT(norm(sums(state).L - before.L), 1e-8 * norm(before.L));
+  const RigidBody single = rigid_body(state, {1});
+  EXPECT_EQ(norm(single.angular_velocity()), 0);
+}
+
+TEST(RigidBody, TurnsTheStressOfItsParticlesWithIt) {
+  State state = spinning_body({30, 20, 20}, {0, 0, 1e-3});
+  for (SymTensor& S : state.S) S = {2, -1, -1, 0, 0, 0};  // pulled along x
+  RigidBody body = body_of(state);
+  const int steps = 2000;
+  for (int k = 0; k < steps; ++k) body.drift(pi / 2 / 1e-3 / steps);  // x becomes y, about
+  put_back(body, state);
+  const Vec3 pulled = body.turned * Vec3{1, 0, 0};
+  for (const SymTensor& S : state.S) {
+    EXPECT_NEAR(dot(pulled, to_matrix(S) * pulled), 2, 1e-9);
+    EXPECT_NEAR(second_invariant(S), 3, 1e-9);
+  }
+  EXPECT_LT(std::abs(pulled.x), 0.7);
+}
+
+}  // namespace
+}  // namespace eerie
