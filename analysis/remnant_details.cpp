@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/clumps.hpp"
+#include "analysis/encounter.hpp"
 #include "solver/base/constants.hpp"
 
 namespace eerie {
@@ -15,8 +16,6 @@ double tilt_of(const Vec3& spin, const Vec3& shortest_axis) {
   const double cosine = std::abs(dot(spin, shortest_axis)) / norm(spin);
   return degrees(std::acos(std::min(1.0, cosine)));
 }
-
-PointMass point(const Remnant& r) { return {r.mass, r.x, r.v}; }
 
 RemnantDetails describe(const Snapshot& snapshot, const Clump& clump, const Remnant& remnant,
                         std::span<const double> depths) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/orbit.hpp"
+#include "analysis/encounter.hpp"
 
 namespace eerie {
 
@@ -106,20 +106,6 @@ std::string unsteadiness(Looks looks, std::size_t intervals, const Scene::Settle
   return "";
 }
 
-PointMass point(const Remnant& r) { return {r.mass, r.x, r.v}; }
-
-/// Time until two touch, at `contact` between their centres; infinity when they will not.
-double time_to_contact(const PointMass& one, const PointMass& other, double contact) {
-  const Orbit orbit = relative_orbit(one, other);
-  const bool comes_back = orbit.bound() || orbit.approaching;
-  return comes_back && orbit.pericentre < contact ? time_to_reach(orbit, contact)
-                                                  : std::numeric_limits<double>::infinity();
-}
-
-double time_to_contact(const Remnant& one, const Remnant& other) {
-  return time_to_contact(point(one), point(other), (one.shape.a + other.shape.a) / 2);
-}
-
 bool is_watched(const Remnant& r, const Scene::Settled& settled) {
   return r.mass_over_total >= settled.mass;
 }
@@ -159,10 +145,10 @@ std::string liveliness(Looks looks, const Remnants& found, double horizon, doubl
     for (std::size_t j = i + 1; j < found.remnants.size(); ++j) {
       const Remnant &one = found.remnants[i], &other = found.remnants[j];
       if (!is_watched(one, settled) || !is_watched(other, settled)) continue;
-      const double contact = (one.shape.a + other.shape.a) / 2;
-      if (time_to_contact(point(one), point(other), contact) > horizon) continue;
-      const Orbit orbit = relative_orbit(point(one), point(other));
-      const double speed = std::sqrt(2 * std::max(0.0, orbit.specific_energy + orbit.mu / contact));
+      const Encounter pair = encounter(one, other);
+      if (pair.time_s() > horizon) continue;
+      const double speed =
+          std::sqrt(2 * std::max(0.0, pair.orbit.specific_energy + pair.orbit.mu / pair.contact));
       if (speed > greatest_mach * sound_speed)
         return fmt::format("remnants {} and {} will meet at {:.3f} m/s", one.rank, other.rank,
                            speed);
@@ -176,7 +162,7 @@ double next_meeting(const Remnants& found, const Scene::Settled& settled) {
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j)
       if (is_watched(all[i], settled) && is_watched(all[j], settled))
-        first = std::min(first, time_to_contact(all[i], all[j]));
+        first = std::min(first, encounter(all[i], all[j]).time_s());
   return first;
 }
 
@@ -198,7 +184,7 @@ std::string encounters(const Remnants& found, double total, double horizon,
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size(); ++j) {
       if (!is_watched(all[i], settled) || !is_watched(all[j], settled)) continue;
-      const double time = time_to_contact(all[i], all[j]);
+      const double time = encounter(all[i], all[j]).time_s();
       if (time <= horizon)
         return fmt::format("remnants {} and {} will meet in about {:.0f} s", all[i].rank,
                            all[j].rank, time);
@@ -206,8 +192,7 @@ std::string encounters(const Remnants& found, double total, double horizon,
   double falling = 0;
   for (const PointMass& fragment : fragments)
     if (std::ranges::any_of(all, [&](const Remnant& r) {
-          return is_watched(r, settled) &&
-                 time_to_contact(point(r), fragment, r.shape.a / 2) <= horizon;
+          return is_watched(r, settled) && encounter(r, fragment).time_s() <= horizon;
         }))
       falling += fragment.mass;
   if (falling > settled.fall_back * total)

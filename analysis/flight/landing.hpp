@@ -7,7 +7,7 @@
 #include "analysis/remnants.hpp"
 #include "analysis/settling.hpp"
 #include "solver/io/snapshot.hpp"
-#include "solver/step/run.hpp"
+#include "solver/particles/landing.hpp"
 
 namespace eerie {
 

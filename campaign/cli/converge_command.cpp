@@ -7,6 +7,7 @@
 #include "campaign/cli/text_table.hpp"
 #include "campaign/reach.hpp"
 #include "campaign/study_diagnosis.hpp"
+#include "campaign/study_page.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
@@ -61,10 +62,11 @@ std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResul
                                 const std::vector<Reach>& reaches, const fs::path& folder,
                                 const std::optional<JobFolder>& jobs) {
   std::vector<fs::path> files = {folder / "runs.csv", folder / "convergence.csv",
-                                 folder / "reach.csv"};
+                                 folder / "reach.csv", folder / "results.md"};
   install_text(files[0], runs_csv(results));
   install_text(files[1], cells_csv(cells));
   install_text(files[2], reaches_csv(reaches));
+  install_text(files[3], study_page(study, cells, reaches));
   if (jobs) {
     files.push_back(folder / "diagnosis.csv");
     install_text(files.back(), diagnosis_csv(study, results, *jobs));

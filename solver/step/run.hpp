@@ -9,6 +9,7 @@
 
 #include "solver/base/stages.hpp"
 #include "solver/io/snapshot.hpp"
+#include "solver/particles/landing.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/step/totals.hpp"
 
@@ -41,13 +42,6 @@ struct RunSummary {
   double steps_here = 0;  ///< steps done by this process
   long list_builds = 0;   ///< of this process
   int threads = 1;
-};
-
-/// What came of a time in which nothing changed but places (RunOptions::fly).
-struct Landing {
-  State state;              ///< later; particles in the order that they had
-  bool for_impact = false;  ///< bodies are about to meet: a late phase is over
-  std::string how;          ///< a sentence for the log
 };
 
 /// What the caller wants of a run besides its end.

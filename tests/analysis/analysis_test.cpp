@@ -101,6 +101,14 @@ TEST(Analysis, WideBinaryIsUnsettledWithItsPericentre) {
   EXPECT_FALSE(will_meet(found.remnants));  // waiting for it would not end
 }
 
+TEST(Analysis, PairThatOnlyAGroupHoldsTogetherIsSaidToPartByItself) {
+  const double v = 1.1 * v_esc_of_two_balls(200);
+  std::vector<Remnant> remnants = two_balls(200, {v, 0.01 * v, 0}).remnants;
+  EXPECT_EQ(unsettled_reason(remnants), "");
+  for (Remnant& r : remnants) r.bound_group = 1;
+  EXPECT_THAT(unsettled_reason(remnants), testing::EndsWith("by themselves the two would part"));
+}
+
 TEST(Analysis, DebrisIsNoRemnantButCountsForTheMass) {
   State state = empty_state();
   add_body(state, {60, 60, 60}, {}, {}, Body::target);

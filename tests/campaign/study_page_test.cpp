@@ -1,0 +1,67 @@
+#include "campaign/study_page.hpp"
+
+#include <gmock/gmock.h>
+
+namespace eerie {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+Study two_cases() {
+  const auto impact = [](double v) {
+    return json{{"impact", {{"v_imp_cm_per_s", v}, {"theta_imp_deg", 15}}}};
+  };
+  return parse_study({{"name", "small"},
+                      {"schemes", {"dual", "closing-voids"}},
+                      {"cases",
+                       {{{"name", "A"},
+                         {"title", "A: v_{imp} = 20 cm/s"},
+                         {"scene", impact(20)},
+                         {"published", {{"b_over_a", 0.24}, {"period_h", 9.36}}}},
+                        {{"name", "B"}, {"scene", impact(22)}}}},
+                      {"ladder",
+                       {{{"particles_per_target", 1000}, {"seeds", 2}},
+                        {{"particles_per_target", 20000}, {"seeds", 1}}}}},
+                     "study.json");
+}
+
+StudyCell cell(const std::string& scheme, std::int64_t particles, std::vector<double> b_over_a) {
+  StudyCell c;
+  c.scheme = scheme, c.case_name = "A", c.particles_per_target = particles;
+  c.b_over_a = ensemble(b_over_a), c.m_1 = ensemble(std::vector<double>(b_over_a.size(), 0.95));
+  c.period_h = ensemble(std::vector<double>(b_over_a.size(), 10));
+  c.core_seconds = ensemble({7}), c.classes = "hit-and-run 2";
+  return c;
+}
+
+std::string page_of(const std::vector<StudyCell>& cells) {
+  return study_page(two_cases(), cells, reaches_of(two_cases(), cells));
+}
+
+TEST(StudyPage, ShowsCasesThatHaveResultsWithFigureEnsemblesAndPublishedNumbers) {
+  const std::string page =
+      page_of({cell("dual", 1000, {0.30, 0.34}), cell("closing-voids", 1000, {0.22})});
+  EXPECT_THAT(page, HasSubstr("## A: v_imp = 20 cm/s\n\n![A](A.svg)\n\nPublished: b/a 0.24, "
+                              "period 9.36 h."));
+  EXPECT_THAT(page, HasSubstr("| 1,000 | `dual` | 2 | 0.32 ± 0.03 | 0.95 ± 0.00 | 10.0 ± 0.0 | "
+                              "0.00 | 0.00 | hit-and-run 2 | 7 |"));
+  EXPECT_THAT(page, HasSubstr("| 1,000 | `closing-voids` | 1 | 0.22 | 0.95 | 10.0 |"));
+  EXPECT_THAT(page, Not(HasSubstr("![B]")));
+}
+
+TEST(StudyPage, SaysFromWhichParticleNumberOnASchemeIsRight) {
+  const std::string page =
+      page_of({cell("dual", 1000, {0.30}), cell("dual", 20000, {0.25}),
+               cell("closing-voids", 1000, {0.25}), cell("closing-voids", 20000, {0.23})});
+  EXPECT_THAT(page, HasSubstr("- `dual`: near its own 20,000 with no fewer; near the published "
+                              "numbers: from 20,000 on.\n"));
+  EXPECT_THAT(page, HasSubstr("- `closing-voids`: near its own 20,000 from 1,000 on; near the "
+                              "published numbers: from 1,000 on.\n"));
+  // Rows of one particle number stand together.
+  EXPECT_LT(page.find("| 1,000 | `closing-voids`"), page.find("| 20,000 | `dual`"));
+}
+
+}  // namespace
+}  // namespace eerie
