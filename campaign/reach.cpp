@@ -31,25 +31,56 @@ std::optional<std::int64_t> reached(std::span<const StudyCell> rungs, const Targ
   return from;
 }
 
-/// Least squares of the means against N^(-1/3), each as sure as the next; the scatter about the
-/// line, not that of seeds, makes its error.
-std::optional<Limit> limit_of(std::span<const StudyCell> rungs) {
-  std::vector<std::pair<double, double>> points;
+/// Variance of b/a of a single run: of the seeds of all particle numbers together.
+std::optional<double> seed_variance(std::span<const StudyCell> rungs) {
+  double squares = 0, freedom = 0;
+  for (const StudyCell& rung : rungs) {
+    if (rung.b_over_a.runs < 2) continue;
+    const auto more = static_cast<double>(rung.b_over_a.runs - 1);
+    squares += more * rung.b_over_a.deviation * rung.b_over_a.deviation;
+    freedom += more;
+  }
+  if (freedom == 0) return {};
+  return squares / freedom;
+}
+
+/// The standard error of the mean that fewest runs make.
+std::optional<double> least_sure(std::span<const StudyCell> rungs, std::optional<double> variance) {
+  std::size_t fewest = 0;
+  for (const StudyCell& rung : rungs)
+    if (const std::size_t runs = rung.b_over_a.runs; runs > 0)
+      fewest = fewest == 0 ? runs : std::min(fewest, runs);
+  if (!variance || fewest == 0) return {};
+  return std::sqrt(*variance / static_cast<double>(fewest));
+}
+
+/// Least squares of the means against N^(-1/3), each weighted by its runs. A run's variance is
+/// that of the seeds or of the scatter about the line, whichever is larger.
+std::optional<Limit> limit_of(std::span<const StudyCell> rungs, std::optional<double> variance) {
+  struct Point {
+    double x, y, weight;
+  };
+  std::vector<Point> points;
   for (const StudyCell& rung : rungs)
     if (rung.b_over_a.runs > 0)
-      points.emplace_back(1 / std::cbrt(static_cast<double>(rung.particles_per_target)),
-                          rung.b_over_a.mean);
+      points.push_back({1 / std::cbrt(static_cast<double>(rung.particles_per_target)),
+                        rung.b_over_a.mean, static_cast<double>(rung.b_over_a.runs)});
   if (points.size() < 3) return {};
-  const auto n = static_cast<double>(points.size());
-  double mean_x = 0, mean_y = 0, xx = 0, xy = 0, rest = 0;
-  for (const auto& [x, y] : points) mean_x += x / n, mean_y += y / n;
-  for (const auto& [x, y] : points) {
-    xx += (x - mean_x) * (x - mean_x);
-    xy += (x - mean_x) * (y - mean_y);
+  double weights = 0, mean_x = 0, mean_y = 0, xx = 0, xy = 0, rest = 0;
+  for (const Point& p : points) weights += p.weight;
+  for (const Point& p : points) {
+    mean_x += p.weight * p.x / weights;
+    mean_y += p.weight * p.y / weights;
+  }
+  for (const Point& p : points) {
+    xx += p.weight * (p.x - mean_x) * (p.x - mean_x);
+    xy += p.weight * (p.x - mean_x) * (p.y - mean_y);
   }
   const double slope = xy / xx, intercept = mean_y - slope * mean_x;
-  for (const auto& [x, y] : points) rest += std::pow(y - intercept - slope * x, 2);
-  return Limit{intercept, std::sqrt(rest / (n - 2) * (1 / n + mean_x * mean_x / xx))};
+  for (const Point& p : points) rest += p.weight * std::pow(p.y - intercept - slope * p.x, 2);
+  const double of_line = rest / (static_cast<double>(points.size()) - 2);
+  const double of_run = std::max(of_line, variance.value_or(0));
+  return Limit{intercept, std::sqrt(of_run * (1 / weights + mean_x * mean_x / xx))};
 }
 
 std::string text(std::optional<std::int64_t> number) {
@@ -72,7 +103,12 @@ std::vector<Reach> reaches_of(const Study& study, const std::vector<StudyCell>& 
       if (finest.b_over_a.runs > 0) own.b_over_a = finest.b_over_a.mean;
       own.m_1 = finest.m_1.mean;
       const Target published{one.published.b_over_a, one.published.m_1_over_m_total};
-      Reach reach{one.name, scheme, finest.particles_per_target, {}, {}, false, limit_of(rungs)};
+      const std::optional<double> variance = seed_variance(rungs);
+      Reach reach;
+      reach.case_name = one.name, reach.scheme = scheme;
+      reach.finest = finest.particles_per_target;
+      reach.known_to = least_sure(rungs, variance);
+      reach.b_over_a = limit_of(rungs, variance);
       if (rungs.size() > 1) reach.own = reached(rungs, own);
       reach.has_published = published.b_over_a || published.m_1;
       if (reach.has_published) reach.published = reached(rungs, published);
@@ -83,11 +119,11 @@ std::vector<Reach> reaches_of(const Study& study, const std::vector<StudyCell>& 
 
 std::string reaches_csv(const std::vector<Reach>& reaches) {
   std::string csv =
-      "case,scheme,finest_particles_per_target,own_from,published_from,b_over_a_limit,"
-      "b_over_a_limit_error\n";
+      "case,scheme,finest_particles_per_target,own_from,published_from,b_over_a_known_to,"
+      "b_over_a_limit,b_over_a_limit_error\n";
   for (const Reach& r : reaches) {
-    csv += fmt::format("{},{},{},{},{},", r.case_name, r.scheme, r.finest, text(r.own),
-                       text(r.published));
+    csv += fmt::format("{},{},{},{},{},{},", r.case_name, r.scheme, r.finest, text(r.own),
+                       text(r.published), r.known_to ? fmt::format("{:.3g}", *r.known_to) : "");
     csv += r.b_over_a ? fmt::format("{:.4g},{:.3g}\n", r.b_over_a->value, r.b_over_a->error)
                       : std::string(",\n");
   }

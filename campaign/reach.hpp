@@ -16,6 +16,8 @@ inline constexpr double b_over_a_within = 0.03, m_1_within = 0.05;
 struct Limit {
   double value, error;  ///< error: standard error of the line's intercept
 };
+/// Limits of b/a whose error is larger say nothing.
+inline constexpr double known_limit = 0.1;
 
 /// From which particle number on a scheme is right about one impact.
 struct Reach {
@@ -27,6 +29,10 @@ struct Reach {
   /// The same for the published numbers, the finest included; nothing where it is not.
   std::optional<std::int64_t> published;
   bool has_published = false;
+  /// Largest standard error of the means of b/a that were compared, from the scatter of seeds at
+  /// all particle numbers; nothing where no number has two runs. Where it is not well below
+  /// `b_over_a_within`, being near or not is chance.
+  std::optional<double> known_to;
   std::optional<Limit> b_over_a;  ///< from three particle numbers or more
 };
 

@@ -61,7 +61,9 @@ std::string sentence(const Reach& r) {
     text += fmt::format("only {} were run", thousands(r.finest));
   if (r.has_published)
     text += fmt::format("; near the published numbers: {}", from_on(r.published));
-  if (r.b_over_a)
+  if (r.known_to && *r.known_to > b_over_a_within)
+    text += fmt::format("; by chance, perhaps: the means of b/a are known to {:.2f}", *r.known_to);
+  if (r.b_over_a && r.b_over_a->error <= known_limit)
     text += fmt::format("; b/a goes to {:.2f} ± {:.2f} as spacings vanish", r.b_over_a->value,
                         r.b_over_a->error);
   return text + ".\n";

@@ -45,5 +45,4 @@ struct SolveArguments {
 };
 int solve(const SolveArguments& arguments);
 
-
 }  // namespace eerie::cli

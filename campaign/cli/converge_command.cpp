@@ -46,13 +46,15 @@ std::string reach_table(const std::vector<Reach>& reaches) {
   const auto from = [](std::optional<std::int64_t> n, bool is_known) {
     return n ? fmt::format("{}", *n) : std::string(is_known ? "not yet" : "-");
   };
-  std::vector<std::vector<std::string>> rows = {
-      {"case", "scheme", "finest", "near it from", "near published from", "b/a as N grows"}};
+  std::vector<std::vector<std::string>> rows = {{"case", "scheme", "finest", "near it from",
+                                                 "near published from", "b/a known to",
+                                                 "b/a as N grows"}};
   for (const Reach& r : reaches) {
     const std::string limit =
         r.b_over_a ? fmt::format("{:.3f} +- {:.3f}", r.b_over_a->value, r.b_over_a->error) : "-";
     rows.push_back({r.case_name, r.scheme, fmt::format("{}", r.finest), from(r.own, false),
-                    from(r.published, r.has_published), limit});
+                    from(r.published, r.has_published),
+                    r.known_to ? fmt::format("{:.3f}", *r.known_to) : "-", limit});
   }
   return text_table(rows);
 }

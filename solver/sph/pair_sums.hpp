@@ -29,7 +29,7 @@ inline NeighbourSums lane(const PackedSums& s, std::size_t l) {
   NeighbourSums one;
   one.C = {s.C.xx[l], s.C.yy[l], s.C.zz[l], s.C.xy[l], s.C.xz[l], s.C.yz[l]};
   for (int k = 0; k < 9; ++k) one.G[k / 3][k % 3] = s.G[k / 3][k % 3][l];
-  for (int a = 0; a < 3; ++a) one.force[a] = s.force[a][l];
+  one.force = {s.force[0][l], s.force[1][l], s.force[2][l]};
   one.heat = s.heat[l];
   one.viscous_pressure = s.viscous_pressure[l];
   return one;

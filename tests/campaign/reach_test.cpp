@@ -86,10 +86,25 @@ TEST(Reach, GivesTheErrorThatScatterAboutTheLineMakes) {
   EXPECT_NEAR(reach.b_over_a->error, std::sqrt(9.8e-5 * factor), 1e-9);
 }
 
+TEST(Reach, WeighsMeansByTheirRunsAndCountsTheScatterOfSeeds) {
+  // Three seeds at 1,000 (x = 0.1), one each at 8,000 (0.05) and 125,000 (0.02), on y = 1 + x.
+  std::vector<StudyCell> cells = {cell(1000, 0, 0.9), cell(8000, 1.05, 0.9),
+                                  cell(125000, 1.02, 0.9)};
+  cells[0].b_over_a = ensemble({1.07, 1.10, 1.13});
+  const Reach reach = reach_of(cells);
+  ASSERT_TRUE(reach.b_over_a);
+  ASSERT_TRUE(reach.known_to);
+  EXPECT_NEAR(*reach.known_to, 0.03, 1e-12);
+  EXPECT_NEAR(reach.b_over_a->value, 1, 1e-12);
+  const double mean_x = (3 * 0.1 + 0.05 + 0.02) / 5;
+  const double xx = 3 * 0.01 + 0.0025 + 0.0004 - 5 * mean_x * mean_x;
+  EXPECT_NEAR(reach.b_over_a->error, 0.03 * std::sqrt(1.0 / 5 + mean_x * mean_x / xx), 1e-12);
+}
+
 TEST(Reach, LeavesFieldsEmptyInItsCsvWhereThereIsNothingToSay) {
   const std::string csv =
       reaches_csv(reaches_of(study_with(json::object()), {cell(1000, 0.24, 0.95)}));
-  EXPECT_THAT(csv, testing::HasSubstr("A,dual,1000,,,,\n"));
+  EXPECT_THAT(csv, testing::HasSubstr("A,dual,1000,,,,,\n"));
 }
 
 }  // namespace

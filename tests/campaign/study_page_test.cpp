@@ -63,5 +63,13 @@ TEST(StudyPage, SaysFromWhichParticleNumberOnASchemeIsRight) {
   EXPECT_LT(page.find("| 1,000 | `closing-voids`"), page.find("| 20,000 | `dual`"));
 }
 
+TEST(StudyPage, SaysWhereSeedsScatterMoreThanWhatIsAskedFor) {
+  const char* chance = "by chance, perhaps: the means of b/a are known to 0.08";
+  EXPECT_THAT(page_of({cell("dual", 1000, {0.4, 0.6}), cell("dual", 20000, {0.45, 0.55})}),
+              HasSubstr(chance));
+  EXPECT_THAT(page_of({cell("dual", 1000, {0.50, 0.51}), cell("dual", 20000, {0.50, 0.51})}),
+              Not(HasSubstr("by chance")));
+}
+
 }  // namespace
 }  // namespace eerie
