@@ -144,8 +144,10 @@ std::vector<ImpactPoint> points_of(const std::vector<PaperGrid>& grids) {
     return std::pair(p.theta_imp_deg, p.v_imp_cm_per_s);
   };
   std::ranges::sort(points, {}, place);
-  const auto repeated = std::ranges::unique(points, {}, place);
-  points.erase(repeated.begin(), repeated.end());
+  const auto same_place = [&](const ImpactPoint& a, const ImpactPoint& b) {
+    return place(a) == place(b);
+  };
+  points.erase(std::unique(points.begin(), points.end(), same_place), points.end());
   return points;
 }
 

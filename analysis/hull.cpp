@@ -48,9 +48,9 @@ std::vector<Vec3> outermost(std::span<const Vec3> x) {
     chosen.insert(chosen.end(), {low, high});
   }
   std::ranges::sort(chosen);
-  const auto same = std::ranges::unique(chosen);
-  chosen.erase(same.begin(), same.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   std::vector<Vec3> points;
+  points.reserve(chosen.size());
   for (const std::size_t i : chosen) points.push_back(x[i]);
   return points;
 }

@@ -24,7 +24,7 @@ struct RunSettings {
   std::string name;      ///< fidelity, or the scheme where it has none
   std::string fidelity;  ///< empty: has none
   std::int64_t id = 0;   ///< tells apart what has the same name; what the database calls it
-  auto operator<=>(const RunSettings&) const = default;
+  auto operator<=>(const RunSettings&) const = default;  // NOLINT(modernize-use-nullptr): no 0 here
 };
 
 /// One finished impact between the paper's bodies (Sugiura et al. 2019, Tables 1 and 2).

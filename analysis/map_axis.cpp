@@ -11,8 +11,7 @@ std::size_t MapAxis::index(double value) const {
 
 MapAxis map_axis(std::vector<double> values) {
   std::ranges::sort(values);
-  const auto repeated = std::ranges::unique(values);
-  values.erase(repeated.begin(), repeated.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   MapAxis axis{std::move(values), {}};
   const std::vector<double>& at = axis.at;
   const std::size_t last = at.size() - 1;

@@ -29,7 +29,8 @@ std::vector<double> initial_depths(const Snapshot& first) {
 OriginDepth origin_depth(std::vector<double> depths) {
   std::ranges::sort(depths);
   const auto quantile = [&](double part) {
-    return depths[static_cast<std::size_t>(part * static_cast<double>(depths.size() - 1) + 0.5)];
+    return depths[static_cast<std::size_t>(
+        std::lround(part * static_cast<double>(depths.size() - 1)))];
   };
   const double sum = std::accumulate(depths.begin(), depths.end(), 0.0);
   return {sum / static_cast<double>(depths.size()), quantile(0.1), quantile(0.9)};

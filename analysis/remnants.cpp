@@ -56,6 +56,7 @@ Remnants find_remnants(const State& state) {
   const std::vector<Clump> clumps =
       friends_of_friends(state.x, state.id, linking_length_over_h * state.h);
   std::vector<PointMass> points;
+  points.reserve(clumps.size());
   for (const Clump& clump : clumps) points.push_back(centre_of_mass(state, clump));
   const auto first_debris = std::ranges::find_if(
       clumps, [](const Clump& clump) { return clump.size() < remnant_min_particles; });

@@ -143,6 +143,7 @@ std::optional<double> valley(const std::vector<const RidgeCell*>& row) {
 /// One angle; `row` by speed.
 RidgeRow ridge_row(const std::vector<const RidgeCell*>& row) {
   std::vector<double> speeds;
+  speeds.reserve(row.size());
   for (const RidgeCell* cell : row) speeds.push_back(cell->v_imp_cm_per_s);
   const MapAxis axis = map_axis(speeds);
   RidgeRow r;

@@ -41,8 +41,10 @@ std::vector<SnapshotFile> snapshot_series(const fs::path& folder) {
   std::ranges::sort(series, [](const SnapshotFile& a, const SnapshotFile& b) {
     return a.time != b.time ? a.time < b.time : a.path > b.path;
   });
-  const auto same = std::ranges::unique(series, {}, &SnapshotFile::time);
-  series.erase(same.begin(), same.end());
+  const auto same_time = [](const SnapshotFile& a, const SnapshotFile& b) {
+    return a.time == b.time;
+  };
+  series.erase(std::unique(series.begin(), series.end(), same_time), series.end());
   return series;
 }
 
@@ -68,8 +70,7 @@ std::vector<std::size_t> telling(const std::vector<SnapshotFile>& series) {
   const double first = series.front().time, covered = series.back().time - first;
   for (const double part : {0.0, 0.05, 0.15, 0.4, 1.0})
     chosen.push_back(nearest_one(series, first + part * covered));
-  const auto same = std::ranges::unique(chosen);
-  chosen.erase(same.begin(), same.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
 }
 

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <optional>
 
+#include "analysis/remnants.hpp"
+
 namespace eerie {
 
 namespace {
@@ -84,10 +86,11 @@ std::string study_page(const Study& study, const std::vector<StudyCell>& cells,
                        const std::vector<Reach>& reaches) {
   std::string page = fmt::format(
       "# {}\n\nMade by `eerie converge`; do not edit. Of the largest remnant: mean and standard "
-      "deviation of single runs over seeds. P(EER): part of the runs with some remnant of b/a < "
-      "0.3. Unsettled: part of the runs that ended with remnants still to meet. \"Near\": means "
+      "deviation of single runs over seeds. P(EER): part of the runs with a remnant of b/a < "
+      "{:g} among the three largest, of {:g} of the mass at least. Unsettled: part of the runs "
+      "that ended with remnants still to meet. \"Near\": means "
       "within {:g} in b/a and {:g} in M_1/M, for that particle number and all larger ones.\n",
-      study.name, b_over_a_within, m_1_within);
+      study.name, eer_max_b_over_a, eer_least_mass, b_over_a_within, m_1_within);
   for (const Study::Case& one : study.cases) {
     const std::vector<StudyCell> rows = by_particles(one, cells);
     if (rows.empty()) continue;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
+#include "analysis/remnants.hpp"
 #include "campaign/job.hpp"
 
 namespace eerie {
@@ -15,7 +17,7 @@ namespace {
 std::string text(std::optional<double> value) { return value ? fmt::format("{:.6g}", *value) : ""; }
 
 /// So many of the largest have columns of their own.
-constexpr int shown_remnants = 3;
+constexpr std::size_t shown_remnants = 3;
 
 Ensemble over(const std::vector<const StudyResult*>& runs,
               const std::function<std::optional<double>(const StudyResult&)>& quantity) {
@@ -40,6 +42,13 @@ std::string count_classes(const std::vector<const StudyResult*>& runs) {
   return text;
 }
 
+bool has_eer(const StudyResult& r) {
+  const auto largest = std::span(r.remnants).first(std::min(r.remnants.size(), shown_remnants));
+  return std::ranges::any_of(largest, [](const db::Remnant& m) {
+    return m.mass_over_total >= eer_least_mass && m.b_over_a && *m.b_over_a < eer_max_b_over_a;
+  });
+}
+
 StudyCell cell_of(const std::vector<const StudyResult*>& runs) {
   const StudyRun& first = runs.front()->run;
   const auto largest = [](auto member) {
@@ -59,7 +68,7 @@ StudyCell cell_of(const std::vector<const StudyResult*>& runs) {
           over(runs, largest(&db::Remnant::spin_period_h)),
           over(runs, [](const StudyResult& r) -> std::optional<double> { return r.core_seconds; }),
           part(runs, [](const StudyResult& r) { return !r.row.result.settled; }),
-          part(runs, [](const StudyResult& r) { return r.row.result.n_eer > 0; }),
+          part(runs, has_eer),
           count_classes(runs)};
 }
 
@@ -73,7 +82,7 @@ std::string runs_csv(const std::vector<StudyResult>& results) {
   std::string csv =
       "scheme,case,particles_per_target,seed,class,settled,ended_at_s,end_reason,"
       "m_lr_over_m_total,m_slr_over_m_total";
-  for (int k = 1; k <= shown_remnants; ++k)
+  for (std::size_t k = 1; k <= shown_remnants; ++k)
     csv += fmt::format(",m_{0}_over_m_total,b_over_a_{0},c_over_a_{0},period_{0}_h", k);
   csv += ",n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
   for (const StudyResult& r : results) {

@@ -17,12 +17,16 @@ using StudyResult = Finished<StudyRun>;
 /// does not spin.
 std::string runs_csv(const std::vector<StudyResult>& results);
 
+/// Fragments lighter than this, over all mass, do not make a run one with an EER: with few
+/// particles they would not be seen at all.
+inline constexpr double eer_least_mass = 0.05;
+
 /// The results of one scheme, case and particle number.
 struct StudyCell {
   std::string scheme, case_name;
   std::int64_t particles_per_target = 0;
   Ensemble b_over_a, c_over_a, m_1, period_h, core_seconds;
-  double unsettled = 0, p_eer = 0;  ///< parts of the runs; EER: any remnant
+  double unsettled = 0, p_eer = 0;  ///< parts of the runs; EER: one of the three largest remnants
   std::string classes;              ///< "hit-and-run 1; perfect-merging 5"
 };
 

@@ -36,7 +36,8 @@ struct Page {
   }
 
   Area area(std::size_t k) const {
-    const auto column = static_cast<double>(k % columns), row = static_cast<double>(k / columns);
+    const std::size_t rows_above = k / columns;
+    const auto column = static_cast<double>(k % columns), row = static_cast<double>(rows_above);
     const double top = height - stamp_height - row * (panel + stamp_height);
     const double left = border + column * (panel + gap);
     return {{left, top - panel}, {left + panel, top}};

@@ -85,7 +85,8 @@ std::string first_fault(const json& schema, const json& document, const std::str
         return fmt::format("{}.{}: there is no such field; remove it or use one of {}", path, name,
                            field_names(schema));
       }
-      if (std::string text = first_fault(*child, value, path + "." + name); !text.empty())
+      if (std::string text = first_fault(*child, value, fmt::format("{}.{}", path, name));
+          !text.empty())
         return text;
     }
     return "";

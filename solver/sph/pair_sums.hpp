@@ -182,7 +182,7 @@ class PairSums {
   void weigh(std::size_t k, Desk& desk, std::size_t p) const {
     Pairs& pairs = desk.pairs[p];
     const P r2 = pairs.r2, inverse_r = inverse_sqrt(r2), r = r2 * inverse_r;
-    P slope, h_ij = splat(real(1));
+    P slope{}, h_ij = splat(real(1));
     bool evolving = false;
     if constexpr (extended) {
       if (extra_.evolving_h) {
@@ -256,11 +256,13 @@ class PairSums {
     return reinterpret_cast<Real*>(&desk.weights[p]);
   }
 
+  static const Real* first(const Quad<Real>& q) { return reinterpret_cast<const Real*>(&q); }
+
   /// Sums over the rows of stresses: gradient of the kernel times flux, thrust times position.
   static void add_fluxes(const std::uint16_t* places, Desk& desk, std::size_t packs, Real* out) {
     QuadSums<Real> sums;
     for (std::size_t p = 0; p < packs; ++p)
-      sums.add(weights(desk, p), &desk.local.stress[0].q[0][0], places + p * lanes<Real>);
+      sums.add(weights(desk, p), first(desk.local.stress[0].q[0]), places + p * lanes<Real>);
     sums.store(out);
   }
 
@@ -272,7 +274,8 @@ class PairSums {
       std::copy(eight.c, eight.c + 8, raw + 8 * b);
     }
     for (std::size_t b = 0; b < 2; ++b) {
-      const auto eight = load_columns(&desk.local.stress[k].q[2 * b][0], rising<Real, 16>.data());
+      const auto eight =
+          load_columns(first(desk.local.stress[k].q[2 * b]), rising<Real, 16>.data());
       std::copy(eight.c, eight.c + 8, own + 8 * b);
     }
     const P *flux = raw + Raw::flux, *gradient = flux + 12;

@@ -177,7 +177,7 @@ std::size_t Solver::set_rates(std::size_t i, std::size_t count, double ahead, co
       rates_.viscous_pressure[i + l] = static_cast<float>(p);
     });
   for (int a = 0; a < 3; ++a)
-    scatter(count, P(s.force[a] * per_rho),
+    scatter(count, P(s.force[static_cast<std::size_t>(a)] * per_rho),
             [&](std::size_t l, double rate) { rates_.dv_dt[i + l][a] = rate; });
   return collapsed;
 }

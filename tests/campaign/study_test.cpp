@@ -119,7 +119,6 @@ TEST(Ensemble, HasMeanDeviationAndExtremes) {
 StudyResult result(const StudyRun& run, double b_over_a) {
   StudyResult r{run, {}, {{.rank = 1, .mass_over_total = 0.9, .b_over_a = b_over_a}}, 20};
   r.row.result.outcome_class = b_over_a < 0.3 ? "perfect-merging" : "hit-and-run";
-  r.row.result.n_eer = b_over_a < 0.3 ? 1 : 0;
   r.row.result.settled = true;
   return r;
 }
@@ -146,6 +145,18 @@ TEST(StudyCells, CollectSeedsOfOneSchemeCaseAndParticleNumber) {
   ASSERT_EQ(figure->panels[0].series[0].size(), 1u);
   EXPECT_NEAR(figure->panels[0].series[0][0].high, 0.4, 1e-12);
   EXPECT_FALSE(figure_of(study, study.cases[0], cells));
+}
+
+TEST(StudyCells, CountAnElongatedRemnantThatIsNotTheLargestButNoFragment) {
+  const Study study = parse_study(small_study(), "study.json");
+  const auto runs = runs_of(study);
+  const auto p_eer_with = [&](double mass) {
+    StudyResult r = result(runs.front(), 0.6);
+    r.remnants.push_back({.rank = 2, .mass_over_total = mass, .b_over_a = 0.25});
+    return cells_of(study, {r}).at(0).p_eer;
+  };
+  EXPECT_EQ(p_eer_with(0.12), 1);
+  EXPECT_EQ(p_eer_with(0.003), 0);
 }
 
 TEST(StudyDiagnosis, PutsHeatsOverTheKineticEnergyAtContactAndLooksAtOneTime) {
