@@ -56,7 +56,8 @@ Analysis analyse(const Snapshot& snapshot, bool separated_after_contact) {
   analysis.m_slr_over_m_total = masses.m_slr / total;
   analysis.debris_bound_over_total = found.debris_bound_mass / total;
   analysis.remnants = std::move(found.remnants);
-  analysis.unsettled_reason = unsettled_reason(analysis.remnants);
+  analysis.unsettled_reason =
+      unsettled_reason(analysis.remnants, snapshot.scene.end.settled.fall_back);
   analysis.settled = analysis.unsettled_reason.empty();
   return analysis;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/encounter.hpp"
 
 namespace eerie {
@@ -10,6 +12,13 @@ namespace {
 
 bool in_one_group(const Remnant& one, const Remnant& other) {
   return one.bound_group == other.bound_group;
+}
+
+/// Remnants come by falling mass.
+std::span<const Remnant> heavier_than(double fragment, std::span<const Remnant> remnants) {
+  const auto light = std::ranges::find_if(
+      remnants, [&](const Remnant& r) { return r.mass_over_total <= fragment; });
+  return {remnants.begin(), light};
 }
 
 std::string describe(const Remnant& one, const Remnant& other, const Encounter& pair) {
@@ -31,19 +40,21 @@ std::string describe(const Remnant& one, const Remnant& other, const Encounter& 
 
 }  // namespace
 
-bool will_meet(std::span<const Remnant> remnants) {
-  for (std::size_t i = 0; i < remnants.size(); ++i)
-    for (std::size_t j = i + 1; j < remnants.size(); ++j)
-      if (encounter(remnants[i], remnants[j]).will_touch()) return true;
+bool will_meet(std::span<const Remnant> remnants, double fragment) {
+  const std::span<const Remnant> large = heavier_than(fragment, remnants);
+  for (std::size_t i = 0; i < large.size(); ++i)
+    for (std::size_t j = i + 1; j < large.size(); ++j)
+      if (encounter(large[i], large[j]).will_touch()) return true;
   return false;
 }
 
-std::string unsettled_reason(std::span<const Remnant> remnants) {
+std::string unsettled_reason(std::span<const Remnant> remnants, double fragment) {
   std::string reason;
   int others = 0;
-  for (std::size_t i = 0; i < remnants.size(); ++i)
-    for (std::size_t j = i + 1; j < remnants.size(); ++j) {
-      const Remnant &one = remnants[i], &other = remnants[j];
+  const std::span<const Remnant> large = heavier_than(fragment, remnants);
+  for (std::size_t i = 0; i < large.size(); ++i)
+    for (std::size_t j = i + 1; j < large.size(); ++j) {
+      const Remnant &one = large[i], &other = large[j];
       const Encounter pair = encounter(one, other);
       if (!in_one_group(one, other) && !pair.will_touch()) continue;
       if (reason.empty())

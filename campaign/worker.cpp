@@ -207,7 +207,7 @@ Computed compute(const Scene& scene, const fs::path& directory, int threads, lon
   };
   LatestRemnants latest;
   options.will_meet = [&](const Snapshot& snapshot) {
-    return will_meet(latest.of(snapshot.state).remnants);
+    return will_meet(latest.of(snapshot.state).remnants, scene.end.settled.fall_back);
   };
   Series<RemnantLook> looks(JobDirectory{directory}.remnants());
   options.settled = [&](const Snapshot& snapshot) {

@@ -69,7 +69,10 @@ TEST(Analysis, BoundPairIsTwoRoundRemnantsMergedButUnsettled) {
   EXPECT_THAT(found.unsettled_reason,
               HasSubstr("remnants 1 and 2 (0.500 and 0.500 of the mass) are bound to each other, "
                         "200 m apart and will meet in about"));
-  EXPECT_TRUE(will_meet(found.remnants));
+  EXPECT_TRUE(will_meet(found.remnants, 0.005));
+  // Fragments are not waited for.
+  EXPECT_FALSE(will_meet(found.remnants, 0.5));
+  EXPECT_EQ(unsettled_reason(found.remnants, 0.5), "");
 }
 
 TEST(Analysis, PairThatEscapesIsSettledHitAndRun) {
@@ -78,7 +81,7 @@ TEST(Analysis, PairThatEscapesIsSettledHitAndRun) {
   EXPECT_NEAR(found.m_slr_over_m_total, 0.5, 1e-12);
   EXPECT_EQ(found.remnants[1].bound_group, 2);
   EXPECT_TRUE(found.settled) << found.unsettled_reason;
-  EXPECT_FALSE(will_meet(found.remnants));
+  EXPECT_FALSE(will_meet(found.remnants, 0.005));
 }
 
 TEST(Analysis, PairOnItsWayToAnImpactIsUnsettled) {
@@ -98,15 +101,16 @@ TEST(Analysis, WideBinaryIsUnsettledWithItsPericentre) {
   const Analysis found = two_balls(300, {0, circular, 0});
   EXPECT_FALSE(found.settled);
   EXPECT_THAT(found.unsettled_reason, HasSubstr("their pericentre of 300 m is outside of contact"));
-  EXPECT_FALSE(will_meet(found.remnants));  // waiting for it would not end
+  EXPECT_FALSE(will_meet(found.remnants, 0.005));  // waiting for it would not end
 }
 
 TEST(Analysis, PairThatOnlyAGroupHoldsTogetherIsSaidToPartByItself) {
   const double v = 1.1 * v_esc_of_two_balls(200);
   std::vector<Remnant> remnants = two_balls(200, {v, 0.01 * v, 0}).remnants;
-  EXPECT_EQ(unsettled_reason(remnants), "");
+  EXPECT_EQ(unsettled_reason(remnants, 0.005), "");
   for (Remnant& r : remnants) r.bound_group = 1;
-  EXPECT_THAT(unsettled_reason(remnants), testing::EndsWith("by themselves the two would part"));
+  EXPECT_THAT(unsettled_reason(remnants, 0.005),
+              testing::EndsWith("by themselves the two would part"));
 }
 
 TEST(Analysis, DebrisIsNoRemnantButCountsForTheMass) {
