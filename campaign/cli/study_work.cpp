@@ -16,7 +16,7 @@ void add_study(CLI::App& app, StudyArguments& a) {
   app.add_option("--known", a.known,
                  "runs.csv that this command wrote before or elsewhere: what stands in it is not "
                  "run again; may be given several times")
-      ->expected(1)
+      ->allow_extra_args(false)
       ->check(CLI::ExistingFile);
   app.add_option("--budget", a.core_hours,
                  "core-hours that the study may cost, finished runs included (default: no limit)")

@@ -208,6 +208,15 @@ TEST_F(Run, RunsOfAStudyOnlyWhatIsNotKnown) {
   ASSERT_EQ(more.code, 0) << more.err;
   EXPECT_THAT(more.out, HasSubstr("3 runs within the budget, 2 known, 1 to run"));
   EXPECT_THAT(more.out, HasSubstr("3 results"));
+
+  // Tables of several machines, in either order.
+  for (const auto& [first, second] :
+       {std::pair("out/runs.csv", "more/runs.csv"), std::pair("more/runs.csv", "out/runs.csv")}) {
+    const Ended drawn = eerie({"converge", "study.json", "--known", first, "--known", second,
+                               "--draw-only", "--db", "nowhere.sqlite", "-o", "drawn"});
+    ASSERT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_THAT(drawn.out, HasSubstr("3 results"));
+  }
 }
 
 TEST_F(Run, AnswersQueriesAsTableAndCsvAndSaysWhenNothingMatches) {
