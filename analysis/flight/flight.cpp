@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
+#include "analysis/flight/mutual_gravity.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/tree/gravity.hpp"
-#include "solver/tree/kd_tree.hpp"
 
 namespace eerie {
 
@@ -17,8 +17,8 @@ namespace {
 /// turns by a radian.
 constexpr double step_over_orbit = 0.03, step_over_turn = 0.05;
 constexpr double longest_step = 300;  // s
-/// Particles are sorted again, and the caller is asked what is waited for, every so many steps.
-constexpr long steps_in_order = 16, steps_unasked = 50;
+/// The caller is asked what is waited for every so many steps.
+constexpr long steps_unasked = 50;
 constexpr double contact_in_spacings = 1.2, room_in_h = 3;
 /// Parts of a step in which a contact is looked for.
 constexpr int parts = 16;
@@ -44,13 +44,11 @@ class Flying {
       : plan_(plan),
         state_(std::move(state)),
         contact_(std::min(contact_in_spacings * plan.spacing, linking_length_over_h * state_.h)),
-        tree_(state_.size()),
-        gravity_({state_.mass, state_.h, plan.opening_angle}),
-        sorted_(state_.size()),
-        g_(state_.size()) {
+        gravity_({state_.mass, state_.h, plan.opening_angle}, plan.heavy) {
     for (Clump& clump : friends_of_friends(state_.x, state_.id, linking_length_over_h * state_.h))
       bodies_.push_back(rigid_body(state_, std::move(clump)));
-    attract();
+    gravity_.take(bodies_, state_.id);
+    pulls_ = gravity_.pulls(bodies_);
   }
 
   Flight go() {
@@ -79,44 +77,19 @@ class Flying {
   }
 
  private:
-  struct Pull {
-    Vec3 force, torque;
-  };
-
   void step() {
     const double dt = std::min(time_step(), plan_.until_s - state_.time);
     kick(dt / 2);
     for (RigidBody& body : bodies_) body.drift(dt);
     state_.time += dt;
     land(dt);
-    attract();
+    pulls_ = gravity_.pulls(bodies_);
     kick(dt / 2);
   }
 
   void kick(double duration) {
     for (std::size_t b = 0; b < bodies_.size(); ++b)
       bodies_[b].kick(pulls_[b].force, pulls_[b].torque, duration);
-  }
-
-  /// Force and torque on every body, from the gravity of all particles.
-  void attract() {
-    for (const RigidBody& body : bodies_)
-      for (std::size_t k = 0; k < body.members.size(); ++k)
-        state_.x[body.members[k]] = body.place(k);
-    if (evaluations_++ % steps_in_order == 0) order_ = kd_order(state_.x, state_.id);
-    for (std::size_t k = 0; k < order_.size(); ++k) sorted_[k] = state_.x[order_[k]];
-    tree_.fit(sorted_);
-    gravity_.accelerations(tree_, sorted_,
-                           [this](std::size_t k, const Vec3& g) { g_[order_[k]] = g; });
-    pulls_.clear();
-    for (const RigidBody& body : bodies_) {
-      Pull pull;
-      for (const std::uint32_t i : body.members) {
-        pull.force += state_.mass * g_[i];
-        pull.torque += state_.mass * cross(state_.x[i] - body.x, g_[i]);
-      }
-      pulls_.push_back(pull);
-    }
   }
 
   bool is_heavy(const RigidBody& body) const { return body.mass >= plan_.heavy; }
@@ -159,6 +132,7 @@ class Flying {
         stick(a, b, dt);
         b = a + 1;  // what is larger now may touch more
       }
+    if (std::exchange(has_landed_, false)) gravity_.take(bodies_, state_.id);
   }
 
   /// They stick where they first touched, and go on from there as one.
@@ -175,6 +149,7 @@ class Flying {
     bodies_[a] = stuck_together(one, other, state_);
     bodies_[a].drift(back * part);
     bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(b));
+    has_landed_ = true;
   }
 
   State as_particles() const {
@@ -188,12 +163,9 @@ class Flying {
   double contact_;  ///< m
   std::vector<RigidBody> bodies_;
   std::vector<Pull> pulls_;
-  KdTree tree_;
-  Gravity gravity_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Vec3> sorted_, g_;
-  long evaluations_ = 0;
+  MutualGravity gravity_;
   double landed_ = 0;
+  bool has_landed_ = false;
 };
 
 }  // namespace

@@ -125,8 +125,9 @@ void Gravity::fit_moments(const KdTree& tree, const std::vector<Vec3>& x) {
 }
 
 template <bool potential, class Store>
-void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Store&& store) {
-  fit_moments(tree, x);
+void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& sources,
+                   const std::vector<Vec3>& targets, Store&& store) {
+  fit_moments(tree, sources);
   constexpr Field field = potential ? Field::potential : Field::acceleration;
   const double reach = 2 * p_.h;
   const auto h = static_cast<float>(p_.h);
@@ -134,16 +135,17 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Store&& store
   {
     std::vector<std::uint32_t> stack;
 #pragma omp for schedule(dynamic, 2)
-    for (std::size_t b = 0; b < bucket_count(x.size()); ++b) {
-      const std::size_t first = b * bucket_size, last = std::min(first + bucket_size, x.size());
+    for (std::size_t b = 0; b < bucket_count(targets.size()); ++b) {
+      const std::size_t first = b * bucket_size,
+                        last = std::min(first + bucket_size, targets.size());
       Box box;
-      for (std::size_t i = first; i < last; ++i) box.include(x[i]);
+      for (std::size_t i = first; i < last; ++i) box.include(targets[i]);
       const Vec3 origin = box.centre();
       Targets t;
       for (std::size_t i = first; i < last; ++i) {
         const int k = static_cast<int>(i - first) / lanes<float>,
                   l = static_cast<int>(i - first) % lanes<float>;
-        const Vec3 d = x[i] - origin;
+        const Vec3 d = targets[i] - origin;
         t.x[k][l] = static_cast<float>(d.x), t.y[k][l] = static_cast<float>(d.y),
         t.z[k][l] = static_cast<float>(d.z);
       }
@@ -161,10 +163,11 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& x, Store&& store
           stack.push_back(node.right);
           stack.push_back(node.left);
         } else if (distance2(box, node.box) > reach * reach) {
-          for (std::uint32_t j = node.begin; j < node.end; ++j) add_point<field>(t, x[j] - origin);
+          for (std::uint32_t j = node.begin; j < node.end; ++j)
+            add_point<field>(t, sources[j] - origin);
         } else {
           for (std::uint32_t j = node.begin; j < node.end; ++j)
-            add_softened<field>(t, x[j] - origin, h);
+            add_softened<field>(t, sources[j] - origin, h);
         }
       }
       for (std::size_t i = first; i < last; ++i) {
@@ -184,13 +187,21 @@ void Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& x, std:
 void Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& x,
                             const std::function<void(std::size_t, const Vec3&)>& store) {
   const double scale = newton_G * p_.particle_mass;
-  walk<false>(tree, x, [&](std::size_t i, const Vec3& a, double) { store(i, scale * a); });
+  walk<false>(tree, x, x, [&](std::size_t i, const Vec3& a, double) { store(i, scale * a); });
+}
+
+void Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& sources,
+                            const std::vector<Vec3>& targets,
+                            const std::function<void(std::size_t, const Vec3&)>& store) {
+  const double scale = newton_G * p_.particle_mass;
+  walk<false>(tree, sources, targets,
+              [&](std::size_t i, const Vec3& a, double) { store(i, scale * a); });
 }
 
 double Gravity::potential_energy(const KdTree& tree, const std::vector<Vec3>& x) {
   std::vector<double> phi(x.size());
   // A particle does not feel itself: take its softened self-potential, 1.4/h, out again.
-  walk<true>(tree, x, [&](std::size_t i, const Vec3&, double p) { phi[i] = p + 1.4 / p_.h; });
+  walk<true>(tree, x, x, [&](std::size_t i, const Vec3&, double p) { phi[i] = p + 1.4 / p_.h; });
   double sum = 0;
   for (double p : phi) sum += p;
   return 0.5 * newton_G * p_.particle_mass * p_.particle_mass * sum;

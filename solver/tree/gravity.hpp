@@ -27,6 +27,12 @@ class Gravity {
   void accelerations(const KdTree& tree, const std::vector<Vec3>& x,
                      const std::function<void(std::size_t, const Vec3&)>& store);
 
+  /// Of the particles at `sources`, which `tree` is fitted to, on those at `targets`; each in a kd
+  /// order of its own.
+  void accelerations(const KdTree& tree, const std::vector<Vec3>& sources,
+                     const std::vector<Vec3>& targets,
+                     const std::function<void(std::size_t, const Vec3&)>& store);
+
   /// Total potential energy, J; the same walk.
   double potential_energy(const KdTree& tree, const std::vector<Vec3>& x);
 
@@ -39,7 +45,8 @@ class Gravity {
   };
   void fit_moments(const KdTree& tree, const std::vector<Vec3>& x);
   template <bool potential, class Store>
-  void walk(const KdTree& tree, const std::vector<Vec3>& x, Store&& store);
+  void walk(const KdTree& tree, const std::vector<Vec3>& sources, const std::vector<Vec3>& targets,
+            Store&& store);
 
   Parameters p_;
   std::vector<Moments> moments_;

@@ -100,6 +100,30 @@ TEST(Flight, KeepsMomentumAndAngularMomentumAsWellAsGravityIs) {
   EXPECT_LT(norm(after.momentum - before.momentum), 2e-3 * norm(before.L) / 300);
 }
 
+/// A long body that turns slowly.
+State long_body() {
+  State state = empty_state();
+  const std::vector<Vec3> x = test::ellipsoid({70, 30, 20}, spacing);
+  test::add(state, x, test::spinning(x, {3e-6, 0, 1e-5}, {}), Body::target);
+  return state;
+}
+
+// The tree's forces between particles of one body do not sum to zero; no body may fly by itself.
+TEST(Flight, LeavesALoneBodyWhereItIs) {
+  const State start = long_body();
+  const State end = fly(start, plan_until(3e5)).state;
+  EXPECT_LT(norm(centre(end, Body::target).x - centre(start, Body::target).x), 1e-6);
+  EXPECT_LT(norm(sums(end).L - sums(start).L), 1e-9 * norm(sums(start).L));
+}
+
+TEST(Flight, KeepsTheAngularMomentumOfBodiesThatPartByKilometres) {
+  State start = long_body();
+  add_body(start, {30, 30, 30}, {300, 0, 0}, {0.1, 0.01, 0}, Body::impactor);
+  const State end = fly(start, plan_until(3e5)).state;
+  EXPECT_GT(norm(centre(end, Body::impactor).x), 1e4);
+  EXPECT_LT(norm(sums(end).L - sums(start).L), 2e-3 * norm(sums(start).L));
+}
+
 TEST(Flight, EndsBeforeHeavyBodiesTouch) {
   const State start = falling_balls(300);
   const double contact = 60 + 3 * start.h;
