@@ -50,6 +50,8 @@ void MutualGravity::sort_light_ones(const std::vector<RigidBody>& bodies) {
   std::vector<Member>& members = crowds_.back().members;
   std::vector<Vec3> x;
   std::vector<std::uint32_t> ids;
+  x.reserve(members.size());
+  ids.reserve(members.size());
   for (const auto& [body, k] : members) {
     x.push_back(bodies[body].place(k));
     ids.push_back(id_[bodies[body].members[k]]);
