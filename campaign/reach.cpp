@@ -10,13 +10,20 @@ namespace eerie {
 
 namespace {
 
-/// Mean b/a and mass of the largest remnant, or those of them that there are.
+/// Mean b/a and mass of the largest remnant and whether there is an EER, or those of them that
+/// are known.
 struct Target {
   std::optional<double> b_over_a, m_1;
+  std::optional<bool> eer;
 };
 
 bool is_near(const Ensemble& e, std::optional<double> target, double bound) {
   return !target || (e.runs > 0 && std::abs(e.mean - *target) <= bound);
+}
+
+/// Half of the runs decide nothing.
+bool is_as_often(double p_eer, std::optional<bool> eer) {
+  return !eer || (*eer ? p_eer > 0.5 : p_eer < 0.5);
 }
 
 /// The least particle number of `rungs`, which rise, from which on all are near the target.
@@ -24,7 +31,7 @@ std::optional<std::int64_t> reached(std::span<const StudyCell> rungs, const Targ
   std::optional<std::int64_t> from;
   for (std::size_t k = rungs.size(); k-- > 0;) {
     if (!is_near(rungs[k].b_over_a, target.b_over_a, b_over_a_within) ||
-        !is_near(rungs[k].m_1, target.m_1, m_1_within))
+        !is_near(rungs[k].m_1, target.m_1, m_1_within) || !is_as_often(rungs[k].p_eer, target.eer))
       break;
     from = rungs[k].particles_per_target;
   }
@@ -102,7 +109,8 @@ std::vector<Reach> reaches_of(const Study& study, const std::vector<StudyCell>& 
       Target own;
       if (finest.b_over_a.runs > 0) own.b_over_a = finest.b_over_a.mean;
       own.m_1 = finest.m_1.mean;
-      const Target published{one.published.b_over_a, one.published.m_1_over_m_total};
+      const Target published{one.published.b_over_a, one.published.m_1_over_m_total,
+                             one.published.eer};
       const std::optional<double> variance = seed_variance(rungs);
       Reach reach;
       reach.case_name = one.name, reach.scheme = scheme;
@@ -110,7 +118,7 @@ std::vector<Reach> reaches_of(const Study& study, const std::vector<StudyCell>& 
       reach.known_to = least_sure(rungs, variance);
       reach.b_over_a = limit_of(rungs, variance);
       if (rungs.size() > 1) reach.own = reached(rungs, own);
-      reach.has_published = published.b_over_a || published.m_1;
+      reach.has_published = published.b_over_a || published.m_1 || published.eer;
       if (reach.has_published) reach.published = reached(rungs, published);
       reaches.push_back(std::move(reach));
     }

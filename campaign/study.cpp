@@ -47,7 +47,8 @@ Study::Case parse_case(const json& given, const json& shared) {
           given.value("title", name),
           with_integers(std::move(scene)),
           {number(published, "b_over_a"), number(published, "m_1_over_m_total"),
-           number(published, "period_h")}};
+           number(published, "period_h"),
+           published.contains("eer") ? std::optional(published["eer"].get<bool>()) : std::nullopt}};
 }
 
 void require_known(const Study::Rung& rung, const std::vector<Study::Case>& cases,

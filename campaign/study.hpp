@@ -19,6 +19,7 @@ namespace eerie {
 struct Study {
   struct Published {
     std::optional<double> b_over_a, m_1_over_m_total, period_h;
+    std::optional<bool> eer;  ///< whether one of the three largest remnants has b/a < 0.3
   };
   struct Case {
     std::string name, title;

@@ -47,7 +47,7 @@ std::string reach_table(const std::vector<Reach>& reaches) {
     return n ? fmt::format("{}", *n) : std::string(is_known ? "not yet" : "-");
   };
   std::vector<std::vector<std::string>> rows = {{"case", "scheme", "finest", "near it from",
-                                                 "near published from", "b/a known to",
+                                                 "as published from", "b/a known to",
                                                  "b/a as N grows"}};
   for (const Reach& r : reaches) {
     const std::string limit =

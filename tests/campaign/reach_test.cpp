@@ -63,6 +63,17 @@ TEST(Reach, OfThePublishedNumberEndsWhereTheFinestMissesIt) {
   EXPECT_EQ(missed.published, std::nullopt);
 }
 
+TEST(Reach, OfAPublishedEerAsksForItInMostRuns) {
+  std::vector<StudyCell> cells = {cell(1000, 0.4, 0.9), cell(2000, 0.4, 0.9), cell(5000, 0.4, 0.9)};
+  cells[0].p_eer = 0.5, cells[1].p_eer = 0.6, cells[2].p_eer = 1;
+  EXPECT_EQ(reach_of(cells, {{"eer", true}}).published, 2000);
+  EXPECT_EQ(reach_of(cells, {{"eer", false}}).published, std::nullopt);
+  for (StudyCell& c : cells) c.p_eer = 1 - c.p_eer;
+  EXPECT_EQ(reach_of(cells, {{"eer", false}}).published, 2000);
+  EXPECT_EQ(reach_of(cells, {{"eer", true}, {"b_over_a", 0.4}}).published, std::nullopt);
+  EXPECT_FALSE(reach_of(cells).has_published);
+}
+
 TEST(Reach, FindsTheLimitOfALineInTheSpacing) {
   std::vector<StudyCell> cells;
   for (const std::int64_t n : {1000, 2000, 5000, 20000})

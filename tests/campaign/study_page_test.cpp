@@ -55,10 +55,10 @@ TEST(StudyPage, SaysFromWhichParticleNumberOnASchemeIsRight) {
   const std::string page =
       page_of({cell("dual", 1000, {0.30}), cell("dual", 20000, {0.25}),
                cell("closing-voids", 1000, {0.25}), cell("closing-voids", 20000, {0.23})});
-  EXPECT_THAT(page, HasSubstr("- `dual`: near its own 20,000 with no fewer; near the published "
-                              "numbers: from 20,000 on.\n"));
-  EXPECT_THAT(page, HasSubstr("- `closing-voids`: near its own 20,000 from 1,000 on; near the "
-                              "published numbers: from 1,000 on.\n"));
+  EXPECT_THAT(page, HasSubstr("- `dual`: near its own 20,000 with no fewer; as published: from "
+                              "20,000 on.\n"));
+  EXPECT_THAT(page, HasSubstr("- `closing-voids`: near its own 20,000 from 1,000 on; as published: "
+                              "from 1,000 on.\n"));
   // Rows of one particle number stand together.
   EXPECT_LT(page.find("| 1,000 | `closing-voids`"), page.find("| 20,000 | `dual`"));
 }
