@@ -17,6 +17,8 @@ struct Finished {
   db::ResultRow row;                  ///< of a known run: hash and result alone
   std::vector<db::Remnant> remnants;  ///< from the most massive on
   double core_seconds = 0;            ///< processor time, s
+  /// The remnants when what is published was measured; empty where that is not known.
+  std::vector<db::Remnant> at_published = {};
 };
 
 /// Those of `runs` that the database (none: null) has a result of, and those that are known
@@ -32,13 +34,17 @@ std::vector<Finished<Run>> finished_runs(const std::vector<Run>& runs,
   for (const Run& run : runs) {
     const std::string hash = scene_hash(run.scene);
     if (const auto row = rows.find(hash); row != rows.end()) {
-      results.push_back({run, row->second, db::remnants(*database, row->second.job),
-                         db::core_seconds(*database, row->second.job)});
+      results.push_back({run,
+                         row->second,
+                         db::remnants(*database, row->second.job),
+                         db::core_seconds(*database, row->second.job),
+                         {}});
     } else if (const auto record = known.find(hash); record != known.end()) {
       db::ResultRow told;
       told.hash = hash;
       told.result = record->second.result;
-      results.push_back({run, told, record->second.remnants, record->second.core_seconds});
+      results.push_back({run, told, record->second.remnants, record->second.core_seconds,
+                         record->second.at_published});
     }
   }
   return results;

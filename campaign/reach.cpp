@@ -26,14 +26,29 @@ bool is_as_often(double p_eer, std::optional<bool> eer) {
   return !eer || (*eer ? p_eer > 0.5 : p_eer < 0.5);
 }
 
+/// What is compared with a target.
+struct Measured {
+  std::int64_t particles_per_target;
+  Ensemble b_over_a, m_1;
+  double p_eer;
+};
+Measured at_end(const StudyCell& c) { return {c.particles_per_target, c.b_over_a, c.m_1, c.p_eer}; }
+Measured at_published(const StudyCell& c) {
+  return c.at_published.m_1.runs == 0 ? at_end(c)
+                                      : Measured{c.particles_per_target, c.at_published.b_over_a,
+                                                 c.at_published.m_1, c.at_published.p_eer};
+}
+
 /// The least particle number of `rungs`, which rise, from which on all are near the target.
-std::optional<std::int64_t> reached(std::span<const StudyCell> rungs, const Target& target) {
+std::optional<std::int64_t> reached(std::span<const StudyCell> rungs, const Target& target,
+                                    Measured (*measured)(const StudyCell&)) {
   std::optional<std::int64_t> from;
   for (std::size_t k = rungs.size(); k-- > 0;) {
-    if (!is_near(rungs[k].b_over_a, target.b_over_a, b_over_a_within) ||
-        !is_near(rungs[k].m_1, target.m_1, m_1_within) || !is_as_often(rungs[k].p_eer, target.eer))
+    const Measured m = measured(rungs[k]);
+    if (!is_near(m.b_over_a, target.b_over_a, b_over_a_within) ||
+        !is_near(m.m_1, target.m_1, m_1_within) || !is_as_often(m.p_eer, target.eer))
       break;
-    from = rungs[k].particles_per_target;
+    from = m.particles_per_target;
   }
   return from;
 }
@@ -117,9 +132,9 @@ std::vector<Reach> reaches_of(const Study& study, const std::vector<StudyCell>& 
       reach.finest = finest.particles_per_target;
       reach.known_to = least_sure(rungs, variance);
       reach.b_over_a = limit_of(rungs, variance);
-      if (rungs.size() > 1) reach.own = reached(rungs, own);
+      if (rungs.size() > 1) reach.own = reached(rungs, own, at_end);
       reach.has_published = published.b_over_a || published.m_1 || published.eer;
-      if (reach.has_published) reach.published = reached(rungs, published);
+      if (reach.has_published) reach.published = reached(rungs, published, at_published);
       reaches.push_back(std::move(reach));
     }
   return reaches;

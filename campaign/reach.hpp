@@ -27,7 +27,8 @@ struct Reach {
   /// nothing where there is no coarser one to compare.
   std::optional<std::int64_t> own;
   /// The same for what was published, the finest included, where more than half of the runs, or
-  /// less, must have an EER as well; nothing where the finest is not right.
+  /// less, must have an EER as well; when that was measured, where the study says it. Nothing
+  /// where the finest is not right.
   std::optional<std::int64_t> published;
   bool has_published = false;
   /// Largest standard error of the means of b/a that were compared, from the scatter of seeds at

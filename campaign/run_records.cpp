@@ -67,6 +67,23 @@ class Line {
 
 constexpr double any = 1e300;
 
+/// Those with columns, whose names end with `when`.
+std::vector<db::Remnant> remnants_of(const Line& line, const std::string& when) {
+  std::vector<db::Remnant> remnants;
+  for (int rank = 1;; ++rank) {
+    const auto column = [&](const char* name) {
+      return fmt::format(fmt::runtime(name), rank) + when;
+    };
+    const auto mass = line.number(column("m_{}_over_m_total"), 0, 1);
+    if (!mass) return remnants;
+    db::Remnant remnant{.rank = rank, .mass_over_total = *mass};
+    remnant.b_over_a = line.number(column("b_over_a_{}"), 0, 1);
+    remnant.c_over_a = line.number(column("c_over_a_{}"), 0, 1);
+    remnant.spin_period_h = line.number(column("period_{}_h"), 0, any);
+    remnants.push_back(remnant);
+  }
+}
+
 RunRecord record_of(const Line& line) {
   RunRecord record;
   db::Result& x = record.result;
@@ -81,16 +98,8 @@ RunRecord record_of(const Line& line) {
   x.particle_steps = line.number("particle_steps", 0, any).value_or(0);
   x.solver_version = line.text("solver_version");
   record.core_seconds = line.number("core_s", 0, any).value_or(0);
-  for (int rank = 1;; ++rank) {
-    const auto column = [&](const char* name) { return fmt::format(fmt::runtime(name), rank); };
-    const auto mass = line.number(column("m_{}_over_m_total"), 0, 1);
-    if (!mass) break;
-    db::Remnant remnant{.rank = rank, .mass_over_total = *mass};
-    remnant.b_over_a = line.number(column("b_over_a_{}"), 0, 1);
-    remnant.c_over_a = line.number(column("c_over_a_{}"), 0, 1);
-    remnant.spin_period_h = line.number(column("period_{}_h"), 0, any);
-    record.remnants.push_back(remnant);
-  }
+  record.remnants = remnants_of(line, "");
+  record.at_published = remnants_of(line, "_at_published");
   if (!record.remnants.empty()) {
     x.b_over_a = record.remnants[0].b_over_a;
     x.c_over_a = record.remnants[0].c_over_a;

@@ -15,6 +15,7 @@ struct RunRecord {
   db::Result result;
   std::vector<db::Remnant> remnants;  ///< those with columns, from the most massive on
   double core_seconds = 0;
+  std::vector<db::Remnant> at_published;  ///< the same when what is published was measured
 };
 
 /// By the hash of the run's scene.

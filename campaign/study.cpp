@@ -93,6 +93,7 @@ Study parse_study(const json& given, const std::string& where) {
   study.schemes = given.value("schemes", std::vector{default_scheme()});
   for (const json& c : given["cases"])
     study.cases.push_back(parse_case(c, given.value("scene", json::object())));
+  study.published_at_s = number(given, "published_at_s");
   require_distinct(study.cases, where);
   for (const json& r : given["ladder"]) {
     Study::Rung rung{r["particles_per_target"], r["seeds"],

@@ -34,6 +34,8 @@ struct Study {
   std::vector<std::string> schemes;
   std::vector<Case> cases;
   std::vector<Rung> ladder;
+  /// When what is published was measured, s after the start; nothing: when runs end.
+  std::optional<double> published_at_s;
   nlohmann::json document;  ///< as given, for the database
   std::string where;        ///< file name, for messages
 };

@@ -31,8 +31,18 @@ std::string range(const Ensemble& e, int digits) {
   return fmt::format("{:.{}f} ± {:.{}f}", e.mean, digits, e.deviation, digits);
 }
 
+/// Columns for the time of what was published, where the study says one.
+std::string header_at(std::optional<double> time_s) {
+  if (!time_s) return "";
+  return fmt::format(" b/a at {0:g} s | M_1/M at {0:g} s | P(EER) at {0:g} s |", *time_s);
+}
+std::string row_at_published(const StudyCell::AtPublished& then) {
+  return fmt::format(" {} | {} | {} |", range(then.b_over_a, 2), range(then.m_1, 2),
+                     then.m_1.runs > 0 ? fmt::format("{:.2f}", then.p_eer) : "-");
+}
+
 std::string row(const StudyCell& c) {
-  return fmt::format("| {} | `{}` | {} | {} | {} | {} | {:.2f} | {:.2f} | {} | {:.0f} |\n",
+  return fmt::format("| {} | `{}` | {} | {} | {} | {} | {:.2f} | {:.2f} | {} | {:.0f} |",
                      thousands(c.particles_per_target), c.scheme, c.m_1.runs, range(c.b_over_a, 2),
                      range(c.m_1, 2), range(c.period_h, 1), c.p_eer, c.unsettled, c.classes,
                      c.core_seconds.mean);
@@ -102,8 +112,11 @@ std::string study_page(const Study& study, const std::vector<StudyCell>& cells,
       page += "Published: " + text + ".\n\n";
     page +=
         "| particles per target | scheme | runs | b/a | M_1/M | period, h | P(EER) | unsettled | "
-        "classes | core-s |\n|---|---|---|---|---|---|---|---|---|---|\n";
-    for (const StudyCell& cell : rows) page += row(cell);
+        "classes | core-s |" +
+        header_at(study.published_at_s) + "\n|---|---|---|---|---|---|---|---|---|---|" +
+        (study.published_at_s ? "---|---|---|\n" : "\n");
+    for (const StudyCell& cell : rows)
+      page += row(cell) + (study.published_at_s ? row_at_published(cell.at_published) : "") + "\n";
     page += "\n";
     for (const Reach& reach : reaches)
       if (reach.case_name == one.name) page += sentence(reach);

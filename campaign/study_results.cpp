@@ -8,6 +8,7 @@
 #include <span>
 
 #include "analysis/remnants.hpp"
+#include "campaign/history.hpp"
 #include "campaign/job.hpp"
 
 namespace eerie {
@@ -42,11 +43,22 @@ std::string count_classes(const std::vector<const StudyResult*>& runs) {
   return text;
 }
 
-bool has_eer(const StudyResult& r) {
-  const auto largest = std::span(r.remnants).first(std::min(r.remnants.size(), shown_remnants));
+bool has_eer(const std::vector<db::Remnant>& remnants) {
+  const auto largest = std::span(remnants).first(std::min(remnants.size(), shown_remnants));
   return std::ranges::any_of(largest, [](const db::Remnant& m) {
     return m.mass_over_total >= eer_least_mass && m.b_over_a && *m.b_over_a < eer_max_b_over_a;
   });
+}
+
+StudyCell::AtPublished at_published(std::vector<const StudyResult*> runs) {
+  std::erase_if(runs, [](const StudyResult* r) { return r->at_published.empty(); });
+  if (runs.empty()) return {};
+  return {over(runs, [](const StudyResult& r) { return r.at_published.front().b_over_a; }),
+          over(runs,
+               [](const StudyResult& r) -> std::optional<double> {
+                 return r.at_published.front().mass_over_total;
+               }),
+          part(runs, [](const StudyResult& r) { return has_eer(r.at_published); })};
 }
 
 StudyCell cell_of(const std::vector<const StudyResult*>& runs) {
@@ -68,36 +80,81 @@ StudyCell cell_of(const std::vector<const StudyResult*>& runs) {
           over(runs, largest(&db::Remnant::spin_period_h)),
           over(runs, [](const StudyResult& r) -> std::optional<double> { return r.core_seconds; }),
           part(runs, [](const StudyResult& r) { return !r.row.result.settled; }),
-          part(runs, has_eer),
-          count_classes(runs)};
+          part(runs, [](const StudyResult& r) { return has_eer(r.remnants); }),
+          count_classes(runs),
+          at_published(runs)};
 }
 
 ConvergencePoint point(const StudyCell& cell, const Ensemble& e) {
   return {static_cast<double>(cell.particles_per_target), e.mean, e.deviation, e.low, e.high};
 }
 
+/// Columns of the largest remnants, whose names end with `when`.
+std::string remnant_header(const char* when) {
+  std::string names;
+  for (std::size_t k = 1; k <= shown_remnants; ++k)
+    names += fmt::format(",m_{0}_over_m_total{1},b_over_a_{0}{1},c_over_a_{0}{1},period_{0}_h{1}",
+                         k, when);
+  return names;
+}
+
+std::string remnant_fields(const std::vector<db::Remnant>& remnants) {
+  std::string fields;
+  for (std::size_t k = 0; k < shown_remnants; ++k)
+    if (k < remnants.size()) {
+      const db::Remnant& m = remnants[k];
+      fields += fmt::format(",{:.6g},{},{},{}", m.mass_over_total, text(m.b_over_a),
+                            text(m.c_over_a), text(m.spin_period_h));
+    } else {
+      fields += ",,,,";
+    }
+  return fields;
+}
+
+/// The last look of remnants.csv at `time_s` or before; the largest first.
+std::vector<db::Remnant> remnants_at(const JobDirectory& job, double time_s) {
+  const Series<RemnantLook> looks(job.remnants());
+  std::vector<db::Remnant> remnants;
+  double seen_at = -1;
+  for (const RemnantLook& seen : looks.rows()) {
+    if (seen.time_s > time_s) break;
+    if (seen.time_s != seen_at) remnants.clear();
+    seen_at = seen.time_s;
+    if (seen.rank == 0) continue;
+    db::Remnant& m = remnants.emplace_back();
+    m.rank = seen.rank, m.mass_over_total = seen.mass_over_total;
+    m.b_over_a = seen.b_over_a, m.c_over_a = seen.c_over_a;
+    if (seen.turns_per_h > 0) m.spin_period_h = 1 / seen.turns_per_h;
+  }
+  return remnants;
+}
+
 }  // namespace
+
+void look_up_published_time(const Study& study, std::vector<StudyResult>& results,
+                            const std::optional<JobFolder>& jobs) {
+  if (!study.published_at_s) return;
+  for (StudyResult& r : results) {
+    if (!r.at_published.empty()) continue;
+    if (r.row.result.ended_at_s.value_or(0) <= *study.published_at_s)
+      r.at_published = r.remnants;
+    else if (jobs)
+      r.at_published = remnants_at(jobs->of(r.row.hash), *study.published_at_s);
+  }
+}
 
 std::string runs_csv(const std::vector<StudyResult>& results) {
   std::string csv =
       "scheme,case,particles_per_target,seed,class,settled,ended_at_s,end_reason,"
       "m_lr_over_m_total,m_slr_over_m_total";
-  for (std::size_t k = 1; k <= shown_remnants; ++k)
-    csv += fmt::format(",m_{0}_over_m_total,b_over_a_{0},c_over_a_{0},period_{0}_h", k);
+  csv += remnant_header("") + remnant_header("_at_published");
   csv += ",n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
   for (const StudyResult& r : results) {
     const db::Result& x = r.row.result;
     csv += fmt::format("{},{},{},{},{},{},{},{},{:.6g},{:.6g}", r.run.scheme, r.run.case_name,
                        r.run.particles_per_target, r.run.seed, x.outcome_class, x.settled ? 1 : 0,
                        text(x.ended_at_s), x.end_reason, x.m_lr_over_m_total, x.m_slr_over_m_total);
-    for (std::size_t k = 0; k < shown_remnants; ++k)
-      if (k < r.remnants.size()) {
-        const db::Remnant& m = r.remnants[k];
-        csv += fmt::format(",{:.6g},{},{},{}", m.mass_over_total, text(m.b_over_a),
-                           text(m.c_over_a), text(m.spin_period_h));
-      } else {
-        csv += ",,,,";
-      }
+    csv += remnant_fields(r.remnants) + remnant_fields(r.at_published);
     csv += fmt::format(",{},{},{:.6g},{:.4g},{},{}\n", x.n_eer, text(x.dL_over_L), x.particle_steps,
                        r.core_seconds, x.solver_version, r.row.hash);
   }
@@ -123,14 +180,23 @@ std::string cells_csv(const std::vector<StudyCell>& cells) {
   std::string csv = "scheme,case,particles_per_target,runs";
   for (const char* name : {"b_over_a", "c_over_a", "m_1_over_m_total", "period_h", "core_s"})
     csv += fmt::format(",{0}_mean,{0}_deviation,{0}_min,{0}_max", name);
-  csv += ",unsettled,p_eer,classes\n";
+  csv += ",unsettled,p_eer,classes";
+  csv += ",runs_at_published";
+  for (const char* name : {"b_over_a", "m_1_over_m_total"})
+    csv += fmt::format(",{0}_at_published_mean,{0}_at_published_deviation", name);
+  csv += ",p_eer_at_published\n";
   for (const StudyCell& c : cells) {
     csv += fmt::format("{},{},{},{}", c.scheme, c.case_name, c.particles_per_target, c.m_1.runs);
     for (const Ensemble* e : {&c.b_over_a, &c.c_over_a, &c.m_1, &c.period_h, &c.core_seconds})
       csv += e->runs == 0 ? ",,,,"
                           : fmt::format(",{:.4g},{:.3g},{:.4g},{:.4g}", e->mean, e->deviation,
                                         e->low, e->high);
-    csv += fmt::format(",{:.3g},{:.3g},{}\n", c.unsettled, c.p_eer, c.classes);
+    csv += fmt::format(",{:.3g},{:.3g},{}", c.unsettled, c.p_eer, c.classes);
+    const StudyCell::AtPublished& then = c.at_published;
+    csv += fmt::format(",{}", then.m_1.runs);
+    for (const Ensemble* e : {&then.b_over_a, &then.m_1})
+      csv += e->runs == 0 ? ",," : fmt::format(",{:.4g},{:.3g}", e->mean, e->deviation);
+    csv += then.m_1.runs == 0 ? ",\n" : fmt::format(",{:.3g}\n", then.p_eer);
   }
   return csv;
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/convergence_figure.hpp"
 #include "campaign/ensemble.hpp"
 #include "campaign/finished_run.hpp"
+#include "campaign/job_directory.hpp"
 #include "campaign/study.hpp"
 
 namespace eerie {
@@ -28,7 +30,19 @@ struct StudyCell {
   Ensemble b_over_a, c_over_a, m_1, period_h, core_seconds;
   double unsettled = 0, p_eer = 0;  ///< parts of the runs; EER: one of the three largest remnants
   std::string classes;              ///< "hit-and-run 1; perfect-merging 5"
+  /// The same when what is published was measured, of the runs of which that is known; without a
+  /// Study::published_at_s of none.
+  struct AtPublished {
+    Ensemble b_over_a, m_1;
+    double p_eer = 0;
+  } at_published = {};
 };
+
+/// Looks up the remnants at Study::published_at_s, where there is such a time and a result does
+/// not say it yet: of runs that ended before, those of the end; of others, those in the last look
+/// before, in `jobs`. A body that flies between two looks is rigid.
+void look_up_published_time(const Study& study, std::vector<StudyResult>& results,
+                            const std::optional<JobFolder>& jobs);
 
 /// In the order of the study.
 std::vector<StudyCell> cells_of(const Study& study, const std::vector<StudyResult>& results);

@@ -87,13 +87,14 @@ std::vector<fs::path> write_all(const Study& study, const std::vector<StudyResul
 
 int converge(const ConvergeArguments& a) {
   const Study study = load_study(a.work.study);
-  const auto [left, results, jobs] =
+  auto [left, results, jobs] =
       work_on_study(a.work, study.name, study.document.dump(), runs_of(study));
   if (results.empty())
     throw InputError(fmt::format("{}: the database {} has no result of this study{}",
                                  a.work.study.string(), a.work.database.string(),
                                  a.work.known.empty() ? "" : ", nor have the known tables"));
   make_folder_of(a.folder / "runs.csv");
+  look_up_published_time(study, results, jobs);
   const std::vector<StudyCell> cells = cells_of(study, results);
   const std::vector<Reach> reaches = reaches_of(study, cells);
   const std::vector<fs::path> files = write_all(study, results, cells, reaches, a.folder, jobs);

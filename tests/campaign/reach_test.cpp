@@ -74,6 +74,14 @@ TEST(Reach, OfAPublishedEerAsksForItInMostRuns) {
   EXPECT_FALSE(reach_of(cells).has_published);
 }
 
+TEST(Reach, OfPublishedNumbersLooksAtTheTimeWhenTheyWereMeasured) {
+  StudyCell met_later = cell(1000, 0.6, 0.9);
+  met_later.at_published = {ensemble({0.25}), ensemble({0.5}), 1};
+  const json published = {{"b_over_a", 0.24}, {"m_1_over_m_total", 0.5}, {"eer", true}};
+  EXPECT_EQ(reach_of({met_later}, published).published, 1000);
+  EXPECT_EQ(reach_of({met_later}, {{"b_over_a", 0.6}}).published, std::nullopt);
+}
+
 TEST(Reach, FindsTheLimitOfALineInTheSpacing) {
   std::vector<StudyCell> cells;
   for (const std::int64_t n : {1000, 2000, 5000, 20000})

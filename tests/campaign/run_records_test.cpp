@@ -53,7 +53,9 @@ Result pair_of_remnants(const std::string& hash) {
 }
 
 TEST_F(Records, ComeBackFromTheTableOfAConvergenceStudy) {
-  const auto written = pair_of_remnants<StudyResult>(hash);
+  auto written = pair_of_remnants<StudyResult>(hash);
+  written.at_published = written.remnants;
+  written.at_published[0].b_over_a = 0.375;
   const RunRecords records = read(runs_csv({written}));
   ASSERT_TRUE(records.contains(hash));
   StudyResult again;
@@ -61,6 +63,8 @@ TEST_F(Records, ComeBackFromTheTableOfAConvergenceStudy) {
   again.row.result = records.at(hash).result;
   again.remnants = records.at(hash).remnants;
   again.core_seconds = records.at(hash).core_seconds;
+  again.at_published = records.at(hash).at_published;
+  EXPECT_EQ(again.at_published.size(), 2u);
   EXPECT_EQ(runs_csv({again}), runs_csv({written}));
   EXPECT_EQ(again.remnants.size(), 2u);
   EXPECT_FALSE(again.remnants[1].spin_period_h);

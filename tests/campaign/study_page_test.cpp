@@ -51,6 +51,18 @@ TEST(StudyPage, ShowsCasesThatHaveResultsWithFigureEnsemblesAndPublishedNumbers)
   EXPECT_THAT(page, Not(HasSubstr("![B]")));
 }
 
+TEST(StudyPage, HasColumnsForTheTimeOfWhatWasPublished) {
+  Study study = two_cases();
+  study.published_at_s = 1e5;
+  StudyCell c = cell("dual", 1000, {0.6, 0.6});
+  c.at_published = {ensemble({0.30, 0.34}), ensemble({0.5, 0.5}), 0.5};
+  const std::string page = study_page(study, {c, cell("dual", 20000, {0.6})}, {});
+  EXPECT_THAT(page,
+              HasSubstr("| core-s | b/a at 100000 s | M_1/M at 100000 s | P(EER) at 100000 s |\n"));
+  EXPECT_THAT(page, HasSubstr("| 7 | 0.32 ± 0.03 | 0.50 ± 0.00 | 0.50 |\n"));
+  EXPECT_THAT(page, HasSubstr("| 7 | - | - | - |\n"));
+}
+
 TEST(StudyPage, SaysFromWhichParticleNumberOnASchemeIsRight) {
   const std::string page =
       page_of({cell("dual", 1000, {0.30}), cell("dual", 20000, {0.25}),

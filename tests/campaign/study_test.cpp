@@ -159,6 +159,65 @@ TEST(StudyCells, CountAnElongatedRemnantThatIsNotTheLargestButNoFragment) {
   EXPECT_EQ(p_eer_with(0.003), 0);
 }
 
+TEST(PublishedTime, IsLookedUpInRunsThatWentOnAndIsTheEndOfOthers) {
+  const test::TemporaryFolder folder;
+  json document = small_study();
+  document["published_at_s"] = 1000;
+  const Study study = parse_study(document, "study.json");
+  std::vector<StudyResult> results(3, result(runs_of(study).front(), 0.6));
+  for (std::size_t k = 0; k < results.size(); ++k)
+    results[k].row.hash = std::string(64, static_cast<char>('a' + k));
+  results[0].row.result.ended_at_s = 1000;
+  results[1].row.result.ended_at_s = 5000;
+  results[2].row.result.ended_at_s = 5000;  // and has no directory
+  const JobFolder jobs{folder.path()};
+  const JobDirectory directory = jobs.of(results[1].row.hash);
+  std::filesystem::create_directories(directory.path);
+  Series<RemnantLook> looks(directory.remnants());
+  looks.add({{.time_s = 500, .rank = 1, .mass_over_total = 0.9, .b_over_a = 0.1}});
+  looks.add({{.time_s = 900,
+              .rank = 1,
+              .mass_over_total = 0.5,
+              .b_over_a = 0.4,
+              .c_over_a = 0.3,
+              .turns_per_h = 0.125},
+             {.time_s = 900, .rank = 2, .mass_over_total = 0.3, .b_over_a = 0.2}});
+  looks.add({{.time_s = 4000, .rank = 1, .mass_over_total = 0.8, .b_over_a = 0.6}});
+
+  look_up_published_time(study, results, jobs);
+  ASSERT_EQ(results[0].at_published.size(), 1u);
+  EXPECT_EQ(results[0].at_published[0].b_over_a, 0.6);
+  ASSERT_EQ(results[1].at_published.size(), 2u);
+  EXPECT_EQ(results[1].at_published[0].mass_over_total, 0.5);
+  EXPECT_EQ(results[1].at_published[0].b_over_a, 0.4);
+  EXPECT_EQ(results[1].at_published[0].c_over_a, 0.3);
+  EXPECT_EQ(results[1].at_published[0].spin_period_h, 8);
+  EXPECT_FALSE(results[1].at_published[1].spin_period_h);
+  EXPECT_TRUE(results[2].at_published.empty());
+
+  const StudyCell cell = cells_of(study, results).at(0);
+  EXPECT_EQ(cell.at_published.b_over_a.runs, 2u);  // of the third it is not known
+  EXPECT_NEAR(cell.at_published.b_over_a.mean, 0.5, 1e-12);
+  EXPECT_NEAR(cell.at_published.m_1.mean, 0.7, 1e-12);
+  EXPECT_EQ(cell.at_published.p_eer, 0.5);  // the second remnant of the second run
+  EXPECT_THAT(cells_csv({cell}), HasSubstr(",2,0.5,0.141,0.7,0.283,0.5\n"));
+}
+
+TEST(PublishedTime, IsNotLookedUpWhereTheStudyHasNone) {
+  const Study study = parse_study(small_study(), "study.json");
+  std::vector<StudyResult> results = {result(runs_of(study).front(), 0.6)};
+  look_up_published_time(study, results, {});
+  EXPECT_TRUE(results[0].at_published.empty());
+  const StudyCell cell = cells_of(study, results).at(0);
+  EXPECT_THAT(cells_csv({cell}), testing::EndsWith(",hit-and-run 1,0,,,,,\n"));
+}
+
+TEST(PublishedTime, MustComeAfterTheStart) {
+  json study = small_study();
+  study["published_at_s"] = 0;
+  EXPECT_THAT(complaint(study), HasSubstr("published_at_s"));
+}
+
 TEST(StudyDiagnosis, PutsHeatsOverTheKineticEnergyAtContactAndLooksAtOneTime) {
   const test::TemporaryFolder folder;
   const Study study = parse_study(small_study(), "study.json");
