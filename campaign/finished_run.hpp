@@ -34,11 +34,8 @@ std::vector<Finished<Run>> finished_runs(const std::vector<Run>& runs,
   for (const Run& run : runs) {
     const std::string hash = scene_hash(run.scene);
     if (const auto row = rows.find(hash); row != rows.end()) {
-      results.push_back({run,
-                         row->second,
-                         db::remnants(*database, row->second.job),
-                         db::core_seconds(*database, row->second.job),
-                         {}});
+      results.push_back({run, row->second, db::remnants(*database, row->second.job),
+                         db::core_seconds(*database, row->second.job)});
     } else if (const auto record = known.find(hash); record != known.end()) {
       db::ResultRow told;
       told.hash = hash;

@@ -34,8 +34,10 @@ const json& outline() {
   return schema;
 }
 
-std::optional<double> number(const json& object, const char* key) {
-  return object.contains(key) ? std::optional(object[key].get<double>()) : std::nullopt;
+/// Nothing where there is no such field.
+template <class Value>
+std::optional<Value> given_as(const json& object, const char* key) {
+  return object.contains(key) ? std::optional(object[key].get<Value>()) : std::nullopt;
 }
 
 Study::Case parse_case(const json& given, const json& shared) {
@@ -46,9 +48,8 @@ Study::Case parse_case(const json& given, const json& shared) {
   return {name,
           given.value("title", name),
           with_integers(std::move(scene)),
-          {number(published, "b_over_a"), number(published, "m_1_over_m_total"),
-           number(published, "period_h"),
-           published.contains("eer") ? std::optional(published["eer"].get<bool>()) : std::nullopt}};
+          {given_as<double>(published, "b_over_a"), given_as<double>(published, "m_1_over_m_total"),
+           given_as<double>(published, "period_h"), given_as<bool>(published, "eer")}};
 }
 
 void require_known(const Study::Rung& rung, const std::vector<Study::Case>& cases,
@@ -93,7 +94,7 @@ Study parse_study(const json& given, const std::string& where) {
   study.schemes = given.value("schemes", std::vector{default_scheme()});
   for (const json& c : given["cases"])
     study.cases.push_back(parse_case(c, given.value("scene", json::object())));
-  study.published_at_s = number(given, "published_at_s");
+  study.published_at_s = given_as<double>(given, "published_at_s");
   require_distinct(study.cases, where);
   for (const json& r : given["ladder"]) {
     Study::Rung rung{r["particles_per_target"], r["seeds"],

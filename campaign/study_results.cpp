@@ -180,8 +180,7 @@ std::string cells_csv(const std::vector<StudyCell>& cells) {
   std::string csv = "scheme,case,particles_per_target,runs";
   for (const char* name : {"b_over_a", "c_over_a", "m_1_over_m_total", "period_h", "core_s"})
     csv += fmt::format(",{0}_mean,{0}_deviation,{0}_min,{0}_max", name);
-  csv += ",unsettled,p_eer,classes";
-  csv += ",runs_at_published";
+  csv += ",unsettled,p_eer,classes,runs_at_published";
   for (const char* name : {"b_over_a", "m_1_over_m_total"})
     csv += fmt::format(",{0}_at_published_mean,{0}_at_published_deviation", name);
   csv += ",p_eer_at_published\n";
