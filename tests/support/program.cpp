@@ -60,6 +60,8 @@ bool Program::running() {
   return !status_;
 }
 
+std::string Program::said() const { return read_file(err_); }
+
 Ended Program::wait(std::chrono::seconds deadline) {
   if (!eventually([this] { return !running(); }, deadline)) {
     ADD_FAILURE() << "the program still runs after " << deadline.count() << " s";

@@ -26,6 +26,8 @@ class Program {
   pid_t pid() const { return pid_; }
   void send(int signal) const;
   bool running();
+  /// What it has written to standard error so far.
+  std::string said() const;
   /// Waits for the end; fails the test after `deadline`.
   Ended wait(std::chrono::seconds deadline = std::chrono::seconds(120));
 
