@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Finished {
   double core_seconds = 0;            ///< processor time, s
   /// The remnants when what is published was measured; empty where that is not known.
   std::vector<db::Remnant> at_published = {};
+  std::optional<double> published_at_s = {};  ///< the time that they are of
 };
 
 /// Those of `runs` that the database (none: null) has a result of, and those that are known
@@ -41,7 +43,7 @@ std::vector<Finished<Run>> finished_runs(const std::vector<Run>& runs,
       told.hash = hash;
       told.result = record->second.result;
       results.push_back({run, told, record->second.remnants, record->second.core_seconds,
-                         record->second.at_published});
+                         record->second.at_published, record->second.published_at_s});
     }
   }
   return results;

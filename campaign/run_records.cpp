@@ -100,6 +100,7 @@ RunRecord record_of(const Line& line) {
   record.core_seconds = line.number("core_s", 0, any).value_or(0);
   record.remnants = remnants_of(line, "");
   record.at_published = remnants_of(line, "_at_published");
+  record.published_at_s = line.number("published_at_s", 0, any);
   if (!record.remnants.empty()) {
     x.b_over_a = record.remnants[0].b_over_a;
     x.c_over_a = record.remnants[0].c_over_a;

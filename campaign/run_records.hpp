@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct RunRecord {
   db::Result result;
   std::vector<db::Remnant> remnants;  ///< those with columns, from the most massive on
   double core_seconds = 0;
-  std::vector<db::Remnant> at_published;  ///< the same when what is published was measured
+  std::vector<db::Remnant> at_published;  ///< the same when what is published was measured,
+  std::optional<double> published_at_s;   ///< that is, so long after the start
 };
 
 /// By the hash of the run's scene.

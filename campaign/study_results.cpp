@@ -133,9 +133,10 @@ std::vector<db::Remnant> remnants_at(const JobDirectory& job, double time_s) {
 
 void look_up_published_time(const Study& study, std::vector<StudyResult>& results,
                             const std::optional<JobFolder>& jobs) {
-  if (!study.published_at_s) return;
   for (StudyResult& r : results) {
-    if (!r.at_published.empty()) continue;
+    if (r.published_at_s != study.published_at_s) r.at_published.clear();  // another study's
+    r.published_at_s = study.published_at_s;
+    if (!study.published_at_s || !r.at_published.empty()) continue;
     if (r.row.result.ended_at_s.value_or(0) <= *study.published_at_s)
       r.at_published = r.remnants;
     else if (jobs)
@@ -147,14 +148,15 @@ std::string runs_csv(const std::vector<StudyResult>& results) {
   std::string csv =
       "scheme,case,particles_per_target,seed,class,settled,ended_at_s,end_reason,"
       "m_lr_over_m_total,m_slr_over_m_total";
-  csv += remnant_header("") + remnant_header("_at_published");
+  csv += remnant_header("") + ",published_at_s" + remnant_header("_at_published");
   csv += ",n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
   for (const StudyResult& r : results) {
     const db::Result& x = r.row.result;
     csv += fmt::format("{},{},{},{},{},{},{},{},{:.6g},{:.6g}", r.run.scheme, r.run.case_name,
                        r.run.particles_per_target, r.run.seed, x.outcome_class, x.settled ? 1 : 0,
                        text(x.ended_at_s), x.end_reason, x.m_lr_over_m_total, x.m_slr_over_m_total);
-    csv += remnant_fields(r.remnants) + remnant_fields(r.at_published);
+    csv += remnant_fields(r.remnants);
+    csv += "," + text(r.published_at_s) + remnant_fields(r.at_published);
     csv += fmt::format(",{},{},{:.6g},{:.4g},{},{}\n", x.n_eer, text(x.dL_over_L), x.particle_steps,
                        r.core_seconds, x.solver_version, r.row.hash);
   }

@@ -39,7 +39,7 @@ struct StudyCell {
 };
 
 /// Looks up the remnants at Study::published_at_s, where there is such a time and a result does
-/// not say it yet: of runs that ended before, those of the end; of others, those in the last look
+/// not say them of that time yet: of runs that ended before, those of the end; of others, those in the last look
 /// before, in `jobs`. A body that flies between two looks is rigid.
 void look_up_published_time(const Study& study, std::vector<StudyResult>& results,
                             const std::optional<JobFolder>& jobs);

@@ -56,6 +56,7 @@ TEST_F(Records, ComeBackFromTheTableOfAConvergenceStudy) {
   auto written = pair_of_remnants<StudyResult>(hash);
   written.at_published = written.remnants;
   written.at_published[0].b_over_a = 0.375;
+  written.published_at_s = 1e5;
   const RunRecords records = read(runs_csv({written}));
   ASSERT_TRUE(records.contains(hash));
   StudyResult again;
@@ -64,6 +65,7 @@ TEST_F(Records, ComeBackFromTheTableOfAConvergenceStudy) {
   again.remnants = records.at(hash).remnants;
   again.core_seconds = records.at(hash).core_seconds;
   again.at_published = records.at(hash).at_published;
+  again.published_at_s = records.at(hash).published_at_s;
   EXPECT_EQ(again.at_published.size(), 2u);
   EXPECT_EQ(runs_csv({again}), runs_csv({written}));
   EXPECT_EQ(again.remnants.size(), 2u);

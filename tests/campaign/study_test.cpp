@@ -201,11 +201,19 @@ TEST(PublishedTime, IsLookedUpInRunsThatWentOnAndIsTheEndOfOthers) {
   EXPECT_NEAR(cell.at_published.m_1.mean, 0.7, 1e-12);
   EXPECT_EQ(cell.at_published.p_eer, 0.5);  // the second remnant of the second run
   EXPECT_THAT(cells_csv({cell}), HasSubstr(",2,0.5,0.141,0.7,0.283,0.5\n"));
+
+  document["published_at_s"] = 600;  // what is known of another time does not count
+  look_up_published_time(parse_study(document, "study.json"), results, jobs);
+  ASSERT_EQ(results[1].at_published.size(), 1u);
+  EXPECT_EQ(results[1].at_published[0].b_over_a, 0.1);
+  EXPECT_TRUE(results[0].at_published.empty());
 }
 
 TEST(PublishedTime, IsNotLookedUpWhereTheStudyHasNone) {
   const Study study = parse_study(small_study(), "study.json");
   std::vector<StudyResult> results = {result(runs_of(study).front(), 0.6)};
+  results[0].at_published = results[0].remnants;
+  results[0].published_at_s = 1000;  // from a table of a study that has one
   look_up_published_time(study, results, {});
   EXPECT_TRUE(results[0].at_published.empty());
   const StudyCell cell = cells_of(study, results).at(0);
