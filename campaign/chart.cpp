@@ -9,39 +9,15 @@
 #include <optional>
 
 #include "campaign/csv.hpp"
-#include "campaign/ensemble.hpp"
 #include "campaign/fidelity.hpp"
+#include "campaign/run_statistics.hpp"
 
 namespace eerie {
 
 namespace {
 
-using Runs = std::vector<const ChartResult*>;
+using Runs = RunGroup<ChartRun>;
 using Quantity = std::function<std::optional<double>(const ChartResult&)>;
-
-Runs select(const std::vector<ChartResult>& results, std::size_t setting, std::size_t one) {
-  Runs runs;
-  for (const ChartResult& r : results)
-    if (r.run.setting == setting && r.run.case_index == one) runs.push_back(&r);
-  return runs;
-}
-
-Ensemble over(const Runs& runs, const Quantity& quantity) {
-  std::vector<double> values;
-  for (const ChartResult* run : runs)
-    if (const auto value = quantity(*run)) values.push_back(*value);
-  return ensemble(values);
-}
-
-Quantity of_largest(std::optional<double> db::Remnant::*member) {
-  return [member](const ChartResult& r) -> std::optional<double> {
-    return r.remnants.empty() ? std::nullopt : r.remnants.front().*member;
-  };
-}
-
-std::optional<double> largest_mass(const ChartResult& r) {
-  return r.remnants.empty() ? 0 : r.remnants.front().mass_over_total;
-}
 
 /// Everything that deviations are made of: results by setting and case.
 class Comparison {
@@ -49,7 +25,7 @@ class Comparison {
   Comparison(const ChartStudy& study, const std::vector<ChartResult>& results)
       : cases_(study.cases.size()), reference_(study.settings.size() - 1) {
     for (std::size_t s = 0; s <= reference_; ++s)
-      for (std::size_t c = 0; c < cases_; ++c) runs_.push_back(select(results, s, c));
+      for (std::size_t c = 0; c < cases_; ++c) runs_.push_back(runs_with(results, s, c));
   }
 
   const Runs& runs(std::size_t setting, std::size_t one) const {
@@ -158,6 +134,14 @@ void mark_frontier(std::vector<ChartPoint>& points) {
 
 }  // namespace
 
+RunGroup<ChartRun> runs_with(const std::vector<ChartResult>& results, std::size_t setting,
+                             std::size_t case_index) {
+  RunGroup<ChartRun> runs;
+  for (const ChartResult& r : results)
+    if (r.run.setting == setting && r.run.case_index == case_index) runs.push_back(&r);
+  return runs;
+}
+
 std::vector<ChartPoint> chart_points(const ChartStudy& study,
                                      const std::vector<ChartResult>& results) {
   const Comparison all(study, results);
@@ -173,9 +157,8 @@ std::vector<ChartPoint> chart_points(const ChartStudy& study,
       p.runs += all.runs(s, c).size();
       p.cases += (p.cases.empty() ? "" : ", ") + study.cases[c].name;
     }
-    p.core_seconds = all.mean_over_cases(s, [](const Runs& runs) {
-      return over(runs, [](const ChartResult& r) { return std::optional(r.core_seconds); }).mean;
-    });
+    p.core_seconds =
+        all.mean_over_cases(s, [](const Runs& runs) { return over(runs, core_seconds_of).mean; });
     p.particle_steps = all.mean_over_cases(s, [](const Runs& runs) {
       return over(runs,
                   [](const ChartResult& r) { return std::optional(r.row.result.particle_steps); })
@@ -212,19 +195,18 @@ std::string chart_csv(const ChartStudy& study, const std::vector<ChartPoint>& po
 }
 
 std::string chart_runs_csv(const ChartStudy& study, const std::vector<ChartResult>& results) {
-  std::string csv =
-      "knob,setting,case,seed,class,settled,ended_at_s,end_reason,m_1_over_m_total,b_over_a_1,"
-      "c_over_a_1,period_1_h,n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
-  const auto text = [](std::optional<double> x) { return x ? fmt::format("{:.6g}", *x) : ""; };
+  std::string csv = "knob,setting,case,seed,class,settled,ended_at_s,end_reason" +
+                    remnant_header("") +
+                    ",n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
   for (const ChartResult& r : results) {
     const ChartStudy::Setting& s = study.settings[r.run.setting];
     const db::Result& x = r.row.result;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6g},{:.4g},{},{}\n",
-                       csv_quoted(s.knob), csv_quoted(s.label), study.cases[r.run.case_index].name,
-                       r.run.seed, x.outcome_class, x.settled ? 1 : 0, text(x.ended_at_s),
-                       x.end_reason, text(largest_mass(r)), text(x.b_over_a), text(x.c_over_a),
-                       text(x.period_h), x.n_eer, text(x.dL_over_L), x.particle_steps,
-                       r.core_seconds, x.solver_version, r.row.hash);
+    csv += fmt::format("{},{},{},{},{},{},{},{}", csv_quoted(s.knob), csv_quoted(s.label),
+                       study.cases[r.run.case_index].name, r.run.seed, x.outcome_class,
+                       x.settled ? 1 : 0, field_text(x.ended_at_s), x.end_reason);
+    csv += remnant_fields(r.remnants);
+    csv += fmt::format(",{},{},{:.6g},{:.4g},{},{}\n", x.n_eer, field_text(x.dL_over_L),
+                       x.particle_steps, r.core_seconds, x.solver_version, r.row.hash);
   }
   return csv;
 }

@@ -5,11 +5,15 @@
 
 #include "analysis/accuracy_figure.hpp"
 #include "campaign/chart_study.hpp"
-#include "campaign/finished_run.hpp"
+#include "campaign/run_statistics.hpp"
 
 namespace eerie {
 
 using ChartResult = Finished<ChartRun>;
+
+/// Those of one setting and case.
+RunGroup<ChartRun> runs_with(const std::vector<ChartResult>& results, std::size_t setting,
+                             std::size_t case_index);
 
 /// How far the answers of one setting are from the reference's, over the cases of a study.
 struct Deviation {

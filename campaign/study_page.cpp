@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "analysis/remnants.hpp"
+#include "campaign/run_statistics.hpp"
 
 namespace eerie {
 

@@ -4,53 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <span>
 
-#include "analysis/remnants.hpp"
 #include "campaign/history.hpp"
 #include "campaign/job.hpp"
+#include "campaign/run_statistics.hpp"
 
 namespace eerie {
 
 namespace {
 
-std::string text(std::optional<double> value) { return value ? fmt::format("{:.6g}", *value) : ""; }
+using Runs = RunGroup<StudyRun>;
 
-/// So many of the largest have columns of their own.
-constexpr std::size_t shown_remnants = 3;
-
-Ensemble over(const std::vector<const StudyResult*>& runs,
-              const std::function<std::optional<double>(const StudyResult&)>& quantity) {
-  std::vector<double> values;
-  for (const StudyResult* run : runs)
-    if (const std::optional<double> value = quantity(*run)) values.push_back(*value);
-  return ensemble(values);
-}
-
-double part(const std::vector<const StudyResult*>& runs,
-            const std::function<bool(const StudyResult&)>& holds) {
-  const auto n = std::ranges::count_if(runs, [&](const StudyResult* run) { return holds(*run); });
-  return static_cast<double>(n) / static_cast<double>(runs.size());
-}
-
-std::string count_classes(const std::vector<const StudyResult*>& runs) {
-  std::map<std::string, int> counts;
-  for (const StudyResult* run : runs) ++counts[run->row.result.outcome_class];
-  std::string text;
-  for (const auto& [name, count] : counts)
-    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", name, count);
-  return text;
-}
-
-bool has_eer(const std::vector<db::Remnant>& remnants) {
-  const auto largest = std::span(remnants).first(std::min(remnants.size(), shown_remnants));
-  return std::ranges::any_of(largest, [](const db::Remnant& m) {
-    return m.mass_over_total >= eer_least_mass && m.b_over_a && *m.b_over_a < eer_max_b_over_a;
-  });
-}
-
-StudyCell::AtPublished at_published(std::vector<const StudyResult*> runs) {
+StudyCell::AtPublished at_published(Runs runs) {
   std::erase_if(runs, [](const StudyResult* r) { return r->at_published.empty(); });
   if (runs.empty()) return {};
   return {over(runs, [](const StudyResult& r) { return r.at_published.front().b_over_a; }),
@@ -61,54 +26,24 @@ StudyCell::AtPublished at_published(std::vector<const StudyResult*> runs) {
           part(runs, [](const StudyResult& r) { return has_eer(r.at_published); })};
 }
 
-StudyCell cell_of(const std::vector<const StudyResult*>& runs) {
+StudyCell cell_of(const Runs& runs) {
   const StudyRun& first = runs.front()->run;
-  const auto largest = [](auto member) {
-    return [member](const StudyResult& r) -> std::optional<double> {
-      return r.remnants.empty() ? std::nullopt : r.remnants.front().*member;
-    };
-  };
   return {first.scheme,
           first.case_name,
           first.particles_per_target,
-          over(runs, largest(&db::Remnant::b_over_a)),
-          over(runs, largest(&db::Remnant::c_over_a)),
-          over(runs,
-               [](const StudyResult& r) -> std::optional<double> {
-                 return r.remnants.empty() ? 0 : r.remnants.front().mass_over_total;
-               }),
-          over(runs, largest(&db::Remnant::spin_period_h)),
-          over(runs, [](const StudyResult& r) -> std::optional<double> { return r.core_seconds; }),
+          over(runs, of_largest(&db::Remnant::b_over_a)),
+          over(runs, of_largest(&db::Remnant::c_over_a)),
+          over(runs, largest_mass),
+          over(runs, of_largest(&db::Remnant::spin_period_h)),
+          over(runs, core_seconds_of),
           part(runs, [](const StudyResult& r) { return !r.row.result.settled; }),
           part(runs, [](const StudyResult& r) { return has_eer(r.remnants); }),
-          count_classes(runs),
+          classes_of(runs),
           at_published(runs)};
 }
 
 ConvergencePoint point(const StudyCell& cell, const Ensemble& e) {
   return {static_cast<double>(cell.particles_per_target), e.mean, e.deviation, e.low, e.high};
-}
-
-/// Columns of the largest remnants, whose names end with `when`.
-std::string remnant_header(const char* when) {
-  std::string names;
-  for (std::size_t k = 1; k <= shown_remnants; ++k)
-    names += fmt::format(",m_{0}_over_m_total{1},b_over_a_{0}{1},c_over_a_{0}{1},period_{0}_h{1}",
-                         k, when);
-  return names;
-}
-
-std::string remnant_fields(const std::vector<db::Remnant>& remnants) {
-  std::string fields;
-  for (std::size_t k = 0; k < shown_remnants; ++k)
-    if (k < remnants.size()) {
-      const db::Remnant& m = remnants[k];
-      fields += fmt::format(",{:.6g},{},{},{}", m.mass_over_total, text(m.b_over_a),
-                            text(m.c_over_a), text(m.spin_period_h));
-    } else {
-      fields += ",,,,";
-    }
-  return fields;
 }
 
 /// The last look of remnants.csv at `time_s` or before; the largest first.
@@ -154,11 +89,12 @@ std::string runs_csv(const std::vector<StudyResult>& results) {
     const db::Result& x = r.row.result;
     csv += fmt::format("{},{},{},{},{},{},{},{},{:.6g},{:.6g}", r.run.scheme, r.run.case_name,
                        r.run.particles_per_target, r.run.seed, x.outcome_class, x.settled ? 1 : 0,
-                       text(x.ended_at_s), x.end_reason, x.m_lr_over_m_total, x.m_slr_over_m_total);
+                       field_text(x.ended_at_s), x.end_reason, x.m_lr_over_m_total,
+                       x.m_slr_over_m_total);
     csv += remnant_fields(r.remnants);
-    csv += "," + text(r.published_at_s) + remnant_fields(r.at_published);
-    csv += fmt::format(",{},{},{:.6g},{:.4g},{},{}\n", x.n_eer, text(x.dL_over_L), x.particle_steps,
-                       r.core_seconds, x.solver_version, r.row.hash);
+    csv += "," + field_text(r.published_at_s) + remnant_fields(r.at_published);
+    csv += fmt::format(",{},{},{:.6g},{:.4g},{},{}\n", x.n_eer, field_text(x.dL_over_L),
+                       x.particle_steps, r.core_seconds, x.solver_version, r.row.hash);
   }
   return csv;
 }
@@ -168,7 +104,7 @@ std::vector<StudyCell> cells_of(const Study& study, const std::vector<StudyResul
   for (const Study::Case& one : study.cases)
     for (const std::string& scheme : study.schemes)
       for (const Study::Rung& rung : study.ladder) {
-        std::vector<const StudyResult*> runs;
+        Runs runs;
         for (const StudyResult& r : results)
           if (r.run.case_name == one.name && r.run.scheme == scheme &&
               r.run.particles_per_target == rung.particles_per_target)

@@ -19,10 +19,6 @@ using StudyResult = Finished<StudyRun>;
 /// does not spin.
 std::string runs_csv(const std::vector<StudyResult>& results);
 
-/// Fragments lighter than this, over all mass, do not make a run one with an EER: with few
-/// particles they would not be seen at all.
-inline constexpr double eer_least_mass = 0.05;
-
 /// The results of one scheme, case and particle number.
 struct StudyCell {
   std::string scheme, case_name;
@@ -39,8 +35,8 @@ struct StudyCell {
 };
 
 /// Looks up the remnants at Study::published_at_s, where there is such a time and a result does
-/// not say them of that time yet: of runs that ended before, those of the end; of others, those in the last look
-/// before, in `jobs`. A body that flies between two looks is rigid.
+/// not say them of that time yet: of runs that ended before, those of the end; of others, those in
+/// the last look before, in `jobs`. A body that flies between two looks is rigid.
 void look_up_published_time(const Study& study, std::vector<StudyResult>& results,
                             const std::optional<JobFolder>& jobs);
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/chart.hpp"
+#include "campaign/chart_cases.hpp"
 #include "campaign/cli/command_list.hpp"
 #include "campaign/cli/study_work.hpp"
 #include "campaign/cli/text_table.hpp"
@@ -51,24 +52,30 @@ int chart(const ChartArguments& a) {
         "{}: the database {} lacks the reference's result of some case: nothing to measure against",
         a.work.study.string(), a.work.database.string()));
   make_folder_of(a.picture);
-  const fs::path table = beside(a.picture, ".csv"), every_run = beside(a.picture, "-runs.csv");
-  install_text(table, chart_csv(study, points));
-  install_text(every_run, chart_runs_csv(study, results));
-  draw_accuracy(a.picture, chart_figure(study, points));
+  const std::vector<ChartCell> cells = chart_cells(study, results);
+  const std::vector<fs::path> files = {a.picture, beside(a.picture, ".csv"),
+                                       beside(a.picture, "-runs.csv"),
+                                       beside(a.picture, "-cases" + a.picture.extension().string()),
+                                       beside(a.picture, "-cases.csv")};
+  draw_accuracy(files[0], chart_figure(study, points));
+  install_text(files[1], chart_csv(study, points));
+  install_text(files[2], chart_runs_csv(study, results));
+  draw_matrix(files[3], chart_matrix(study, cells));
+  install_text(files[4], chart_cells_csv(study, cells));
   if (a.work.json) {
     fmt::print("{}\n", json{{"study", study.name},
                             {"results", results.size()},
                             {"points", points.size()},
                             {"failed", left.failed},
                             {"left", left.left},
-                            {"files", {a.picture.string(), table.string(), every_run.string()}}}
+                            {"files", files}}
                            .dump(1));
   } else {
     fmt::print(
         "\n{}\nerrors against the reference, in brackets what the spread of the seeds alone gives; "
-        "*: on the frontier of b/a\n{} results\n{}\n{}\n{}\n",
-        table_of(study, points), results.size(), a.picture.string(), table.string(),
-        every_run.string());
+        "*: on the frontier of b/a\n{} results\n",
+        table_of(study, points), results.size());
+    for (const fs::path& file : files) fmt::print("{}\n", file.string());
   }
   return study_exit(left);
 }

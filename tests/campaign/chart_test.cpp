@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "campaign/chart_cases.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie {
@@ -172,6 +173,39 @@ TEST(Chart, DrawsKnobsByNameAndTheDefaultAsAStar) {
   EXPECT_THAT(script, HasSubstr("title 'cfl'"));
   EXPECT_THAT(script, HasSubstr("title 'frontier'"));
   EXPECT_THAT(script, Not(HasSubstr("some impacts only")));
+}
+
+TEST(ChartCases, SayWhatEachSettingMakesOfEachImpact) {
+  const ChartStudy study = parse_chart_study(small_study(), "chart.json");
+  auto some = results(
+      study, [](std::size_t s, std::size_t c) { return s == 1 && c == 1 ? 0.4 : 0.2; },
+      [](std::size_t s) { return s == 4 ? 100.0 : 10.0; });
+  std::erase_if(some,
+                [](const ChartResult& r) { return r.run.setting == 3 && r.run.case_index == 0; });
+  for (ChartResult& r : some)
+    if (r.run.setting == 1 && r.run.seed == 2)  // an EER beside a rounder body
+      r.remnants.push_back({.rank = 2, .mass_over_total = 0.1, .b_over_a = 0.25});
+  const std::vector<ChartCell> cells = chart_cells(study, some);
+  ASSERT_EQ(cells.size(), 5u * 2 - 1);
+  const ChartCell& rounder = cells[3];
+  EXPECT_EQ(rounder.setting, 1u);
+  EXPECT_EQ(rounder.case_index, 1u);
+  EXPECT_EQ(rounder.m_1.runs, 2u);
+  EXPECT_NEAR(rounder.b_over_a.mean, 0.4, 1e-12);
+  EXPECT_NEAR(rounder.b_over_a.deviation, std::sqrt(2) * 0.01, 1e-12);
+  EXPECT_NEAR(rounder.m_1.mean, 0.9, 1e-12);
+  EXPECT_EQ(rounder.p_eer, 0.5);
+  EXPECT_EQ(cells[2].p_eer, 1);
+  const std::string csv = chart_cells_csv(study, cells);
+  EXPECT_THAT(csv, HasSubstr("\"cfl\",\"0.4\",fast,2,0.4,0.0141,0.2,0,0.9,0,8.8,0,10,0,0.5,"
+                             "perfect-merging 2\n"));
+  const MatrixFigure figure = chart_matrix(study, cells);
+  EXPECT_THAT(figure.columns, testing::ElementsAre("slow", "fast"));
+  ASSERT_EQ(figure.groups.size(), 4u);
+  EXPECT_EQ(figure.groups[0].rows.at(0).label, "default");
+  EXPECT_EQ(figure.groups[1].name, "cfl");
+  EXPECT_EQ(figure.groups[1].rows.at(0).cells.at(1)->text, ".40  .90");
+  EXPECT_FALSE(figure.groups[2].rows.at(0).cells.at(0)) << "not run";
 }
 
 TEST(Chart, WritesTheNamesOfFidelitiesBesideTheirPoints) {

@@ -101,6 +101,8 @@ TEST_F(Fidelity, IsChartedAgainstItsCost) {
   EXPECT_THAT(table, HasSubstr("\"cfl\",\"0.3\",\"A\",2,"));
   EXPECT_THAT(table, HasSubstr("\"reference\",\"finer\",\"A\",1,"));
   EXPECT_THAT(read_file(folder / "c-runs.csv"), HasSubstr("\"default\",\"\",A,1,"));
+  EXPECT_THAT(read_file(folder / "c-cases.csv"), HasSubstr("\"cfl\",\"0.3\",A,2,"));
+  EXPECT_THAT(read_file(folder / "c-cases.svg"), HasSubstr("finer"));
   EXPECT_THAT(eerie(command).out, HasSubstr("5 runs within the budget, 0 to run"));
 }
 

@@ -1,0 +1,60 @@
+#include "campaign/run_statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <span>
+
+#include "analysis/remnants.hpp"
+
+namespace eerie {
+
+namespace {
+
+/// So many of the largest have columns of their own.
+constexpr std::size_t shown_remnants = 3;
+
+}  // namespace
+
+std::string count_classes(const std::vector<std::string>& classes) {
+  std::map<std::string, int> counts;
+  for (const std::string& name : classes) ++counts[name];
+  std::string text;
+  for (const auto& [name, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", name, count);
+  return text;
+}
+
+bool has_eer(const std::vector<db::Remnant>& remnants) {
+  const auto largest = std::span(remnants).first(std::min(remnants.size(), shown_remnants));
+  return std::ranges::any_of(largest, [](const db::Remnant& m) {
+    return m.mass_over_total >= eer_least_mass && m.b_over_a && *m.b_over_a < eer_max_b_over_a;
+  });
+}
+
+std::string remnant_header(const char* when) {
+  std::string names;
+  for (std::size_t k = 1; k <= shown_remnants; ++k)
+    names += fmt::format(",m_{0}_over_m_total{1},b_over_a_{0}{1},c_over_a_{0}{1},period_{0}_h{1}",
+                         k, when);
+  return names;
+}
+
+std::string remnant_fields(const std::vector<db::Remnant>& remnants) {
+  std::string fields;
+  for (std::size_t k = 0; k < shown_remnants; ++k)
+    if (k < remnants.size()) {
+      const db::Remnant& m = remnants[k];
+      fields += fmt::format(",{:.6g},{},{},{}", m.mass_over_total, field_text(m.b_over_a),
+                            field_text(m.c_over_a), field_text(m.spin_period_h));
+    } else {
+      fields += ",,,,";
+    }
+  return fields;
+}
+
+std::string field_text(std::optional<double> value) {
+  return value ? fmt::format("{:.6g}", *value) : "";
+}
+
+}  // namespace eerie
