@@ -60,7 +60,8 @@ TEST_P(FullDisk, IsWaitedForAndNothingTornIsTakenForTrue) {
   Program daemon(campaign.folder(), campaign.daemon_words());
   EXPECT_TRUE(test::eventually([&] {
     return !daemon.running() || daemon.said().find("full") != std::string::npos;
-  })) << "it never found the disk full: " << daemon.said();
+  })) << "it never found the disk full: "
+      << daemon.said();
   const bool can_be_read = GetParam() > 64;  // SQLite needs room for the index of its log
   test::Ended status;
   EXPECT_TRUE(!can_be_read || test::eventually([&] {
