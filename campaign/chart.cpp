@@ -196,17 +196,14 @@ std::string chart_csv(const ChartStudy& study, const std::vector<ChartPoint>& po
 
 std::string chart_runs_csv(const ChartStudy& study, const std::vector<ChartResult>& results) {
   std::string csv = "knob,setting,case,seed,class,settled,ended_at_s,end_reason" +
-                    remnant_header("") +
-                    ",n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
+                    remnant_header("") + run_end_header;
   for (const ChartResult& r : results) {
     const ChartStudy::Setting& s = study.settings[r.run.setting];
     const db::Result& x = r.row.result;
     csv += fmt::format("{},{},{},{},{},{},{},{}", csv_quoted(s.knob), csv_quoted(s.label),
                        study.cases[r.run.case_index].name, r.run.seed, x.outcome_class,
-                       x.settled ? 1 : 0, field_text(x.ended_at_s), x.end_reason);
-    csv += remnant_fields(r.remnants);
-    csv += fmt::format(",{},{},{:.6g},{:.4g},{},{}\n", x.n_eer, field_text(x.dL_over_L),
-                       x.particle_steps, r.core_seconds, x.solver_version, r.row.hash);
+                       x.settled ? 1 : 0, csv_number(x.ended_at_s), x.end_reason);
+    csv += remnant_fields(r.remnants) + run_end_fields(r.row, r.core_seconds);
   }
   return csv;
 }

@@ -6,15 +6,12 @@
 #include <cmath>
 
 #include "analysis/outcome.hpp"
+#include "campaign/csv.hpp"
 #include "solver/base/constants.hpp"
 
 namespace eerie {
 
 namespace {
-
-std::string number(const std::optional<double>& value) {
-  return value ? fmt::format("{:.6g}", *value) : "";
-}
 
 /// "perfect_merging_share".
 std::string share_column(const OutcomeName& row) {
@@ -42,16 +39,17 @@ std::string line(const db::MapPoint& p) {
                                  p.stale, p.unsettled, p.results);
   for (const db::Spread* s :
        {&p.b_over_a, &p.c_over_a, &p.m_lr_over_m_total, &p.period_h, &p.n_eer})
-    text += fmt::format(",{},{}", number(s->mean), number(s->std_dev));
+    text += fmt::format(",{},{}", csv_number(s->mean), csv_number(s->std_dev));
   const auto share = [&](const std::string& outcome) -> std::optional<double> {
     if (p.results == 0) return std::nullopt;
     const auto found = p.classes.find(outcome);
     return p.share(found == p.classes.end() ? 0 : found->second);
   };
   const std::string outcome = p.outcome_class();
-  text += fmt::format(",{},{},{}", p.results > 0 ? number(p.p_eer()) : "", outcome,
-                      number(share(outcome)));
-  for (const OutcomeName& row : outcome_names) text += "," + number(share(std::string(row.name)));
+  text += fmt::format(",{},{},{}", p.results > 0 ? csv_number(p.p_eer()) : "", outcome,
+                      csv_number(share(outcome)));
+  for (const OutcomeName& row : outcome_names)
+    text += "," + csv_number(share(std::string(row.name)));
   return text + "\n";
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "analysis/remnants.hpp"
+#include "campaign/csv.hpp"
 
 namespace eerie {
 
@@ -45,16 +46,18 @@ std::string remnant_fields(const std::vector<db::Remnant>& remnants) {
   for (std::size_t k = 0; k < shown_remnants; ++k)
     if (k < remnants.size()) {
       const db::Remnant& m = remnants[k];
-      fields += fmt::format(",{:.6g},{},{},{}", m.mass_over_total, field_text(m.b_over_a),
-                            field_text(m.c_over_a), field_text(m.spin_period_h));
+      fields += fmt::format(",{:.6g},{},{},{}", m.mass_over_total, csv_number(m.b_over_a),
+                            csv_number(m.c_over_a), csv_number(m.spin_period_h));
     } else {
       fields += ",,,,";
     }
   return fields;
 }
 
-std::string field_text(std::optional<double> value) {
-  return value ? fmt::format("{:.6g}", *value) : "";
+std::string run_end_fields(const db::ResultRow& row, double core_seconds) {
+  const db::Result& x = row.result;
+  return fmt::format(",{},{},{:.6g},{:.4g},{},{}\n", x.n_eer, csv_number(x.dL_over_L),
+                     x.particle_steps, core_seconds, x.solver_version, row.hash);
 }
 
 }  // namespace eerie

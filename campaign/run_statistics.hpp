@@ -68,7 +68,9 @@ bool has_eer(const std::vector<db::Remnant>& remnants);
 std::string remnant_header(const char* when);
 std::string remnant_fields(const std::vector<db::Remnant>& remnants);
 
-/// Six digits; empty where there is no value.
-std::string field_text(std::optional<double> value);
+/// The last columns of such a table, and what they hold of a run.
+inline constexpr const char* run_end_header =
+    ",n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
+std::string run_end_fields(const db::ResultRow& row, double core_seconds);
 
 }  // namespace eerie
