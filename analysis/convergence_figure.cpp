@@ -16,7 +16,7 @@ constexpr double width_pt = 255, panel_pt = 90, top_pt = 40, bottom_pt = 26;
 /// Okabe & Ito's colours, told apart in every common form of colour blindness; with their marks.
 constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73",
                                    "#cc79a7", "#56b4e9", "#000000"};
-constexpr int marks[] = {7, 5, 9, 13, 11, 6};
+constexpr int marks[] = {7, 5, 9, 13, 11, 15}, open_marks[] = {6, 4, 8, 12, 10, 14};
 
 /// 5000 as "5,000".
 std::string with_separators(int n) {
@@ -25,6 +25,12 @@ std::string with_separators(int n) {
 
 std::string block_name(std::size_t panel, std::size_t series) {
   return fmt::format("$p{}s{}", panel, series);
+}
+std::string earlier_name(std::size_t panel, std::size_t series) {
+  return block_name(panel, series) + "e";
+}
+bool has_earlier(const ConvergencePanel& panel, std::size_t series) {
+  return series < panel.earlier.size() && !panel.earlier[series].empty();
 }
 
 /// Series stand a little beside each other, so that their bars do not cover one another.
@@ -43,6 +49,11 @@ std::string data_blocks(const ConvergenceFigure& figure) {
                     ? fmt::format("{} {}\n", x.at, x.mean)
                     : fmt::format("{} {} {} {} {}\n", beside(x.at, s, figure.series.size()), x.mean,
                                   x.deviation, x.low, x.high);
+      text += "EOD\n";
+      if (!has_earlier(figure.panels[p], s)) continue;
+      text += earlier_name(p, s) + " << EOD\n";
+      for (const ConvergencePoint& x : figure.panels[p].earlier[s])
+        text += fmt::format("{} {}\n", beside(x.at, s, figure.series.size()), x.mean);
       text += "EOD\n";
     }
   return text;
@@ -71,6 +82,8 @@ std::string value_range(const ConvergencePanel& panel) {
       values.include(std::min(x.low, x.mean - x.deviation));
       values.include(std::max(x.high, x.mean + x.deviation));
     }
+  for (const auto& series : panel.earlier)
+    for (const ConvergencePoint& x : series) values.include(x.mean);
   if (panel.published) values.include(*panel.published);
   if (panel.logarithmic)
     return values.high > 0 ? fmt::format(
@@ -120,6 +133,13 @@ std::string panel_commands(const ConvergenceFigure& figure, std::size_t p, doubl
     if (!panel.series[s].empty())
       add(curve(block_name(p, s), s, figure.over_time,
                 first ? fmt::format("title '{}'", figure.series[s]) : "notitle"));
+  for (std::size_t s = 0; s < figure.series.size(); ++s)
+    if (has_earlier(panel, s))
+      add(fmt::format("{} using 1:2 with points pt {} ps 0.45 lw 0.8 lc rgb '{}' notitle",
+                      earlier_name(p, s), open_marks[s], colours[s]));
+  if (first && !figure.earlier.empty())
+    add(fmt::format("NaN with points pt {} ps 0.45 lw 0.8 lc rgb '#555555' title '{}'",
+                    open_marks[0], figure.earlier));
   return curves.empty() ? "" : text + "plot " + curves + "\nunset label 1\n";
 }
 

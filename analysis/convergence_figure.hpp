@@ -20,13 +20,16 @@ struct ConvergencePanel {
   std::optional<double> published;                    ///< drawn as a dashed line
   std::vector<std::vector<ConvergencePoint>> series;  ///< as ConvergenceFigure::series
   bool logarithmic = false;                           ///< its values; 0 and less are left out
+  /// Means at another time, as `series`, drawn as open marks; may be empty.
+  std::vector<std::vector<ConvergencePoint>> earlier = {};
 };
 
 struct ConvergenceFigure {
   std::string title;
   std::vector<std::string> series;  ///< names, six at most
   std::vector<ConvergencePanel> panels;
-  bool over_time = false;  ///< curves of single runs in place of ensembles
+  bool over_time = false;    ///< curves of single runs in place of ensembles
+  std::string earlier = {};  ///< what open marks are: "at 100000 s"
 };
 
 /// Draws panels below each other, nine centimetres wide: means with standard deviations (thick)

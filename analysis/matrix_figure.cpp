@@ -13,7 +13,7 @@ namespace eerie {
 namespace {
 
 constexpr double row_pt = 10, cell_pt = 33, name_pt = 13, head_pt = 14, margin_pt = 6,
-                 indent_pt = 6, label_size = 6, cell_size = 5.5, caption_pt = 12;
+                 indent_pt = 6, label_size = 6, cell_size = 5.5, caption_pt = 12, gap_pt = 6;
 constexpr Colour ink{0x1a, 0x1a, 0x1a}, grey{0x60, 0x60, 0x60};
 
 /// Where rows and columns lie on the page.
@@ -29,13 +29,12 @@ struct Layout {
       for (const MatrixRow& row : group.rows)
         label_pt = std::max(label_pt, indent_pt + text_width(row.label, label_size));
     }
-    width = std::max(
-        2 * margin_pt + label_pt + 6 + cell_pt * static_cast<double>(figure.columns.size()),
-        2 * margin_pt + text_width(figure.caption, label_size));
+    width = margin_pt + std::max(left_of(figure.columns.size()),
+                                 margin_pt + text_width(figure.caption, label_size));
   }
 
   double left_of(std::size_t column) const {
-    return margin_pt + label_pt + 6 + cell_pt * static_cast<double>(column);
+    return margin_pt + label_pt + gap_pt + cell_pt * static_cast<double>(column);
   }
   Area cell(std::size_t column, double top) const {
     return {{left_of(column), top - row_pt}, {left_of(column) + cell_pt, top}};

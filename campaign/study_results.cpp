@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "campaign/csv.hpp"
 #include "campaign/history.hpp"
 #include "campaign/job.hpp"
 #include "campaign/run_statistics.hpp"
@@ -23,6 +24,7 @@ StudyCell::AtPublished at_published(Runs runs) {
                [](const StudyResult& r) -> std::optional<double> {
                  return r.at_published.front().mass_over_total;
                }),
+          over(runs, [](const StudyResult& r) { return r.at_published.front().spin_period_h; }),
           part(runs, [](const StudyResult& r) { return has_eer(r.at_published); })};
 }
 
@@ -84,17 +86,16 @@ std::string runs_csv(const std::vector<StudyResult>& results) {
       "scheme,case,particles_per_target,seed,class,settled,ended_at_s,end_reason,"
       "m_lr_over_m_total,m_slr_over_m_total";
   csv += remnant_header("") + ",published_at_s" + remnant_header("_at_published");
-  csv += ",n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
+  csv += run_end_header;
   for (const StudyResult& r : results) {
     const db::Result& x = r.row.result;
     csv += fmt::format("{},{},{},{},{},{},{},{},{:.6g},{:.6g}", r.run.scheme, r.run.case_name,
                        r.run.particles_per_target, r.run.seed, x.outcome_class, x.settled ? 1 : 0,
-                       field_text(x.ended_at_s), x.end_reason, x.m_lr_over_m_total,
+                       csv_number(x.ended_at_s), x.end_reason, x.m_lr_over_m_total,
                        x.m_slr_over_m_total);
     csv += remnant_fields(r.remnants);
-    csv += "," + field_text(r.published_at_s) + remnant_fields(r.at_published);
-    csv += fmt::format(",{},{},{:.6g},{:.4g},{},{}\n", x.n_eer, field_text(x.dL_over_L),
-                       x.particle_steps, r.core_seconds, x.solver_version, r.row.hash);
+    csv += "," + csv_number(r.published_at_s) + remnant_fields(r.at_published);
+    csv += run_end_fields(r.row, r.core_seconds);
   }
   return csv;
 }
@@ -119,7 +120,7 @@ std::string cells_csv(const std::vector<StudyCell>& cells) {
   for (const char* name : {"b_over_a", "c_over_a", "m_1_over_m_total", "period_h", "core_s"})
     csv += fmt::format(",{0}_mean,{0}_deviation,{0}_min,{0}_max", name);
   csv += ",unsettled,p_eer,classes,runs_at_published";
-  for (const char* name : {"b_over_a", "m_1_over_m_total"})
+  for (const char* name : {"b_over_a", "m_1_over_m_total", "period_h"})
     csv += fmt::format(",{0}_at_published_mean,{0}_at_published_deviation", name);
   csv += ",p_eer_at_published\n";
   for (const StudyCell& c : cells) {
@@ -131,7 +132,7 @@ std::string cells_csv(const std::vector<StudyCell>& cells) {
     csv += fmt::format(",{:.3g},{:.3g},{}", c.unsettled, c.p_eer, c.classes);
     const StudyCell::AtPublished& then = c.at_published;
     csv += fmt::format(",{}", then.m_1.runs);
-    for (const Ensemble* e : {&then.b_over_a, &then.m_1})
+    for (const Ensemble* e : {&then.b_over_a, &then.m_1, &then.period_h})
       csv += e->runs == 0 ? ",," : fmt::format(",{:.4g},{:.3g}", e->mean, e->deviation);
     csv += then.m_1.runs == 0 ? ",\n" : fmt::format(",{:.3g}\n", then.p_eer);
   }
@@ -145,16 +146,25 @@ std::optional<ConvergenceFigure> figure_of(const Study& study, const Study::Case
                            {{"b/a", one.published.b_over_a, {}},
                             {"M_1/M", one.published.m_1_over_m_total, {}},
                             {"period (h)", one.published.period_h, {}}}};
-  for (ConvergencePanel& panel : figure.panels) panel.series.resize(study.schemes.size());
+  for (ConvergencePanel& panel : figure.panels) {
+    panel.series.resize(study.schemes.size());
+    panel.earlier.resize(study.schemes.size());
+  }
   bool any = false;
   for (std::size_t s = 0; s < study.schemes.size(); ++s)
     for (const StudyCell& cell : cells) {
       if (cell.case_name != one.name || cell.scheme != study.schemes[s]) continue;
       any = true;
+      const StudyCell::AtPublished& then = cell.at_published;
       const Ensemble* quantities[] = {&cell.b_over_a, &cell.m_1, &cell.period_h};
-      for (std::size_t p = 0; p < figure.panels.size(); ++p)
+      const Ensemble* earlier[] = {&then.b_over_a, &then.m_1, &then.period_h};
+      for (std::size_t p = 0; p < figure.panels.size(); ++p) {
         if (quantities[p]->runs > 0)
           figure.panels[p].series[s].push_back(point(cell, *quantities[p]));
+        if (earlier[p]->runs == 0 || earlier[p]->mean == quantities[p]->mean) continue;
+        figure.panels[p].earlier[s].push_back(point(cell, *earlier[p]));
+        figure.earlier = fmt::format("at {:g} s", study.published_at_s.value_or(0));
+      }
     }
   if (!any) return {};
   return figure;

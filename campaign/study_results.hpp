@@ -29,7 +29,7 @@ struct StudyCell {
   /// The same when what is published was measured, of the runs of which that is known; without a
   /// Study::published_at_s of none.
   struct AtPublished {
-    Ensemble b_over_a, m_1;
+    Ensemble b_over_a, m_1, period_h;
     double p_eer = 0;
   } at_published = {};
 };
@@ -44,8 +44,8 @@ void look_up_published_time(const Study& study, std::vector<StudyResult>& result
 std::vector<StudyCell> cells_of(const Study& study, const std::vector<StudyResult>& results);
 std::string cells_csv(const std::vector<StudyCell>& cells);
 
-/// b/a, mass and period of the largest remnant against the particle number; nothing where the
-/// case has no results.
+/// b/a, mass and period of the largest remnant against the particle number, and as open marks
+/// where they were others at Study::published_at_s; nothing where the case has no results.
 std::optional<ConvergenceFigure> figure_of(const Study& study, const Study::Case& one,
                                            const std::vector<StudyCell>& cells);
 

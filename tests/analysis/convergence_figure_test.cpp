@@ -41,5 +41,20 @@ TEST(ConvergenceFigure, ShowsEveryPointWithItsBarsAndThePublishedNumberOnce) {
   EXPECT_THAT(script, Not(HasSubstr("title 'other'"))) << "it has no points";
 }
 
+TEST(ConvergenceFigure, ShowsWhatWasSeenEarlierAsOpenMarksWithinThePanel) {
+  EXPECT_THAT(convergence_script(small_figure()), Not(HasSubstr("pt 6")));
+  ConvergenceFigure figure = small_figure();
+  figure.panels[0].earlier = {{{1000, 0.9, 0, 0.9, 0.9}}, {}};
+  figure.earlier = "at 100000 s";
+  const std::string script = convergence_script(figure);
+  EXPECT_THAT(script, HasSubstr("$p0s0e << EOD\n975 0.9\nEOD\n")) << "beside, as its series";
+  EXPECT_THAT(script, HasSubstr("$p0s0e using 1:2 with points pt 6"));
+  EXPECT_THAT(script, HasSubstr("title 'at 100000 s'"));
+  EXPECT_THAT(script, testing::ContainsRegex("set yrange \\[[0-9.]+:0\\.9[0-9]+\\]"));
+  const test::TemporaryFolder folder;
+  draw_convergence(folder / "a.svg", figure);
+  EXPECT_THAT(read_file(folder / "a.svg"), HasSubstr("at 100000 s"));
+}
+
 }  // namespace
 }  // namespace eerie

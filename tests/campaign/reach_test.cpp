@@ -76,7 +76,9 @@ TEST(Reach, OfAPublishedEerAsksForItInMostRuns) {
 
 TEST(Reach, OfPublishedNumbersLooksAtTheTimeWhenTheyWereMeasured) {
   StudyCell met_later = cell(1000, 0.6, 0.9);
-  met_later.at_published = {ensemble({0.25}), ensemble({0.5}), 1};
+  met_later.at_published.b_over_a = ensemble({0.25});
+  met_later.at_published.m_1 = ensemble({0.5});
+  met_later.at_published.p_eer = 1;
   const json published = {{"b_over_a", 0.24}, {"m_1_over_m_total", 0.5}, {"eer", true}};
   EXPECT_EQ(reach_of({met_later}, published).published, 1000);
   EXPECT_EQ(reach_of({met_later}, {{"b_over_a", 0.6}}).published, std::nullopt);

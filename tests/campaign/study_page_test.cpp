@@ -55,7 +55,7 @@ TEST(StudyPage, HasColumnsForTheTimeOfWhatWasPublished) {
   Study study = two_cases();
   study.published_at_s = 1e5;
   StudyCell c = cell("dual", 1000, {0.6, 0.6});
-  c.at_published = {ensemble({0.30, 0.34}), ensemble({0.5, 0.5}), 0.5};
+  c.at_published = {ensemble({0.30, 0.34}), ensemble({0.5, 0.5}), {}, 0.5};
   const std::string page = study_page(study, {c, cell("dual", 20000, {0.6})}, {});
   EXPECT_THAT(page,
               HasSubstr("| core-s | b/a at 100000 s | M_1/M at 100000 s | P(EER) at 100000 s |\n"));

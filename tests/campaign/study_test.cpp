@@ -200,7 +200,12 @@ TEST(PublishedTime, IsLookedUpInRunsThatWentOnAndIsTheEndOfOthers) {
   EXPECT_NEAR(cell.at_published.b_over_a.mean, 0.5, 1e-12);
   EXPECT_NEAR(cell.at_published.m_1.mean, 0.7, 1e-12);
   EXPECT_EQ(cell.at_published.p_eer, 0.5);  // the second remnant of the second run
-  EXPECT_THAT(cells_csv({cell}), HasSubstr(",2,0.5,0.141,0.7,0.283,0.5\n"));
+  EXPECT_THAT(cells_csv({cell}), HasSubstr(",2,0.5,0.141,0.7,0.283,8,0,0.5\n"));
+  const auto figure = figure_of(study, study.cases[0], {cell});
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->earlier, "at 1000 s");
+  ASSERT_EQ(figure->panels[0].earlier[0].size(), 1u);
+  EXPECT_NEAR(figure->panels[0].earlier[0][0].mean, 0.5, 1e-12);
 
   document["published_at_s"] = 600;  // what is known of another time does not count
   look_up_published_time(parse_study(document, "study.json"), results, jobs);
@@ -217,7 +222,7 @@ TEST(PublishedTime, IsNotLookedUpWhereTheStudyHasNone) {
   look_up_published_time(study, results, {});
   EXPECT_TRUE(results[0].at_published.empty());
   const StudyCell cell = cells_of(study, results).at(0);
-  EXPECT_THAT(cells_csv({cell}), testing::EndsWith(",hit-and-run 1,0,,,,,\n"));
+  EXPECT_THAT(cells_csv({cell}), testing::EndsWith(",hit-and-run 1,0,,,,,,,\n"));
 }
 
 TEST(PublishedTime, MustComeAfterTheStart) {
