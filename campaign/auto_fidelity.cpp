@@ -198,8 +198,8 @@ std::vector<Wanted> AutoFidelity::next() const {
 std::map<std::string, double> AutoFidelity::core_seconds() const {
   std::map<std::string, double> sums;
   for (const AutoCell& cell : cells_) {
-    for (const Sample& s : cell.sketch) sums[coarse] += s.core_seconds;
-    for (const Sample& s : cell.survey) sums[fine] += s.core_seconds;
+    for (const Sample& s : cell.sketch) sums[coarse] += s.core_seconds.value_or(0);
+    for (const Sample& s : cell.survey) sums[fine] += s.core_seconds.value_or(0);
   }
   return sums;
 }
@@ -208,7 +208,8 @@ double AutoFidelity::uniform_core_seconds() const {
   double sum = 0;
   std::size_t runs = 0;
   for (const AutoCell& cell : cells_)
-    for (const Sample& s : cell.survey) sum += s.core_seconds, ++runs;
+    for (const Sample& s : cell.survey)
+      if (s.core_seconds) sum += *s.core_seconds, ++runs;
   if (runs == 0) return 0;
   return sum / static_cast<double>(runs) * static_cast<double>(options_.most_seeds) *
          static_cast<double>(cells_.size());

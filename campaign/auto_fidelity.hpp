@@ -59,7 +59,7 @@ class AutoFidelity {
   /// Whether no further surveys up to most_seeds could make it sure of a class, or are likely to
   /// make it sure of b/a < 0.3 or not: that it may be either is the answer.
   bool is_mixed(const AutoCell& cell) const;
-  /// Core-seconds of all runs that the verdicts made use of, by fidelity.
+  /// Core-seconds of all runs that the verdicts made use of, by fidelity, as far as they are known.
   std::map<std::string, double> core_seconds() const;
   /// The same for most_seeds surveys of every impact, from the mean of those that ran; 0 without
   /// any.

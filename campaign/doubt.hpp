@@ -12,7 +12,7 @@ namespace eerie {
 struct Sample {
   std::string outcome;                  ///< class
   std::optional<double> b_over_a = {};  ///< of the largest remnant; nothing where there is none
-  double core_seconds = 0;
+  std::optional<double> core_seconds = {};
 };
 
 /// How b/a by one fidelity stands to that by a finer one: a shift and a scatter about it.

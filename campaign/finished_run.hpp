@@ -15,9 +15,9 @@ namespace eerie {
 template <class Run>
 struct Finished {
   Run run;
-  db::ResultRow row;                  ///< of a known run: hash and result alone
-  std::vector<db::Remnant> remnants;  ///< from the most massive on
-  double core_seconds = 0;            ///< processor time, s
+  db::ResultRow row;                   ///< of a known run: hash and result alone
+  std::vector<db::Remnant> remnants;   ///< from the most massive on
+  std::optional<double> core_seconds;  ///< processor time, s
   /// The remnants when what is published was measured; empty where that is not known.
   std::vector<db::Remnant> at_published = {};
   std::optional<double> published_at_s = {};  ///< the time that they are of

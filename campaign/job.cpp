@@ -18,8 +18,16 @@ double mutual_escape_speed(const Scene& scene) {
                    contact_distance(scene));
 }
 
-/// Impacts that fly while they wait are computed as matter for about so long, s.
+/// Medians over some 400 runs of the study of convergence, s: until remnants that do not wait for
+/// one another have settled, and as what impacts that fly while they wait are computed as matter.
+constexpr double typical_time_to_settle = 3e4;
 constexpr double typical_time_without_flight = 5e4;
+
+double expected_end_s(const Scene& scene) {
+  if (scene.numerics.rigid_flight) return std::min(scene.end.time_s, typical_time_without_flight);
+  if (scene.end.settled.window_s > 0) return std::min(scene.end.time_s, typical_time_to_settle);
+  return scene.end.time_s;
+}
 
 double expected_particle_steps(const Scene& scene) {
   const double c = bulk_sound_speed(scene);
@@ -28,10 +36,7 @@ double expected_particle_steps(const Scene& scene) {
   const double dt = scene.numerics.cfl * smoothing_length(scene) / c_l;
   const auto particles =
       static_cast<double>(scene.numerics.particles_per_target + impactor_particles(scene));
-  const double computed_s = scene.numerics.rigid_flight
-                                ? std::min(scene.end.time_s, typical_time_without_flight)
-                                : scene.end.time_s;
-  return particles * std::ceil(computed_s / dt);
+  return particles * std::ceil(expected_end_s(scene) / dt);
 }
 
 db::NewJob new_job(const Scene& scene) {

@@ -11,6 +11,10 @@ namespace eerie {
 /// Mutual escape speed of the two bodies at contact, sqrt(2 G (M_t + M_i) / (R_t + R_i)), m/s.
 double mutual_escape_speed(const Scene& scene);
 
+/// Simulated time, s, at which a run is likely to end: end.time_s, or what is typical of impacts
+/// where the scene lets it end once it has settled.
+double expected_end_s(const Scene& scene);
+
 /// Particles times steps that a run takes at the step dt = cfl h / c_l, with the longitudinal
 /// wave speed c_l = sqrt((A + 4 G / 3) / rho0). A real run takes somewhat more, since a fast
 /// compression shortens its steps.

@@ -35,9 +35,13 @@ void choose_job_folder(db::Connection& connection, const fs::path& root) {
 }
 
 json to_json(const WorkerProgress& p) {
-  return {{"time_s", p.time_s}, {"end_time_s", p.end_time_s},
-          {"step", p.step},     {"particle_steps", p.particle_steps},
-          {"wall_s", p.wall_s}, {"pid", p.pid}};
+  return {{"time_s", p.time_s},
+          {"end_time_s", p.end_time_s},
+          {"expected_end_s", p.expected_end_s},
+          {"step", p.step},
+          {"particle_steps", p.particle_steps},
+          {"wall_s", p.wall_s},
+          {"pid", p.pid}};
 }
 
 std::optional<WorkerProgress> read_progress(const JobDirectory& directory) {
@@ -48,6 +52,7 @@ std::optional<WorkerProgress> read_progress(const JobDirectory& directory) {
   try {
     document->at("time_s").get_to(p.time_s);
     document->at("end_time_s").get_to(p.end_time_s);
+    p.expected_end_s = document->value("expected_end_s", p.end_time_s);
     document->at("step").get_to(p.step);
     document->at("particle_steps").get_to(p.particle_steps);
     document->at("wall_s").get_to(p.wall_s);

@@ -48,7 +48,9 @@ void choose_job_folder(db::Connection& connection, const std::filesystem::path& 
 
 /// What a running worker says of itself about once a second.
 struct WorkerProgress {
-  double time_s = 0, end_time_s = 0;
+  double time_s = 0;
+  double end_time_s = 0;      ///< at the latest
+  double expected_end_s = 0;  ///< expected_end_s() of the scene
   long step = 0;
   double particle_steps = 0;  ///< of the job, earlier attempts included
   double wall_s = 0;          ///< of this worker

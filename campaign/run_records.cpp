@@ -97,7 +97,7 @@ RunRecord record_of(const Line& line) {
   x.dL_over_L = line.number("dL_over_L", 0, any);
   x.particle_steps = line.number("particle_steps", 0, any).value_or(0);
   x.solver_version = line.text("solver_version");
-  record.core_seconds = line.number("core_s", 0, any).value_or(0);
+  record.core_seconds = line.number("core_s", 0, any);
   record.remnants = remnants_of(line, "");
   record.at_published = remnants_of(line, "_at_published");
   record.published_at_s = line.number("published_at_s", 0, any);

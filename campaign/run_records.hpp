@@ -15,7 +15,7 @@ namespace eerie {
 struct RunRecord {
   db::Result result;
   std::vector<db::Remnant> remnants;  ///< those with columns, from the most massive on
-  double core_seconds = 0;
+  std::optional<double> core_seconds;
   std::vector<db::Remnant> at_published;  ///< the same when what is published was measured,
   std::optional<double> published_at_s;   ///< that is, so long after the start
 };

@@ -54,10 +54,11 @@ std::string remnant_fields(const std::vector<db::Remnant>& remnants) {
   return fields;
 }
 
-std::string run_end_fields(const db::ResultRow& row, double core_seconds) {
+std::string run_end_fields(const db::ResultRow& row, std::optional<double> core_seconds) {
   const db::Result& x = row.result;
-  return fmt::format(",{},{},{:.6g},{:.4g},{},{}\n", x.n_eer, csv_number(x.dL_over_L),
-                     x.particle_steps, core_seconds, x.solver_version, row.hash);
+  return fmt::format(",{},{},{:.6g},{},{},{}\n", x.n_eer, csv_number(x.dL_over_L), x.particle_steps,
+                     core_seconds ? fmt::format("{:.4g}", *core_seconds) : "", x.solver_version,
+                     row.hash);
 }
 
 }  // namespace eerie

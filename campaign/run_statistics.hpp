@@ -62,7 +62,7 @@ inline constexpr double eer_least_mass = 0.05;
 bool has_eer(const std::vector<db::Remnant>& remnants);
 
 // Columns of a table of runs: mass, axes and period of the three largest remnants. Empty fields:
-// there is no such remnant, or it does not spin.
+// there is no such remnant, or it does not spin; core_s of a run that lost a machine on its way.
 
 /// Their names, which end with `when`; each behind a comma.
 std::string remnant_header(const char* when);
@@ -71,6 +71,6 @@ std::string remnant_fields(const std::vector<db::Remnant>& remnants);
 /// The last columns of such a table, and what they hold of a run.
 inline constexpr const char* run_end_header =
     ",n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
-std::string run_end_fields(const db::ResultRow& row, double core_seconds);
+std::string run_end_fields(const db::ResultRow& row, std::optional<double> core_seconds);
 
 }  // namespace eerie

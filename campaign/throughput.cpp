@@ -12,7 +12,7 @@ Throughput::Throughput(double expected_left, double expected_over_done)
       scale_(expected_over_done > 0 ? 1 / expected_over_done : 1) {}
 
 void Throughput::started(std::int64_t job, double expected) {
-  running_[job] = {expected, -1, 0, 0};
+  running_[job] = {expected, -1, 0};
   left_not_running_ -= expected;
 }
 
@@ -20,12 +20,10 @@ void Throughput::progressed(std::int64_t job, const WorkerProgress& progress) {
   const auto entry = running_.find(job);
   if (entry == running_.end()) return;
   Running& run = entry->second;
-  if (run.first < 0) run.first = run.last = progress.particle_steps;
-  if (progress.particle_steps > run.last) {
-    done_ += progress.particle_steps - run.last;
-    run.last = progress.particle_steps;
-  }
-  if (progress.end_time_s > 0) run.fraction = progress.time_s / progress.end_time_s;
+  // Fewer than before: what a killed worker said last, and the next one goes on from a checkpoint.
+  if (run.last >= 0) done_ += std::max(0.0, progress.particle_steps - run.last);
+  run.last = progress.particle_steps;
+  if (progress.expected_end_s > 0) run.fraction = progress.time_s / progress.expected_end_s;
 }
 
 void Throughput::ended(std::int64_t job, bool done) {
@@ -52,9 +50,12 @@ double Throughput::eta_s() const {
   if (speed <= 0) return -1;
   double left = left_not_running_ * scale_;
   for (const auto& [job, run] : running_) {
-    // A run that has come some way knows its own length better than the formula does.
-    const double whole = run.fraction > 0.02 ? run.last / run.fraction : run.expected * scale_;
-    left += whole * (1 - run.fraction);
+    // A run that has come some way knows its own length better than the formula does; one that
+    // should be over by now may go on for a tenth of what it has behind it.
+    if (run.fraction > 0.02)
+      left += run.last * (run.fraction < 1 ? 1 / run.fraction - 1 : 0.1);
+    else
+      left += run.expected * scale_ * (1 - run.fraction);
   }
   return std::max(0.0, left / speed);
 }

@@ -37,9 +37,9 @@ class Throughput {
 
  private:
   struct Running {
-    double expected = 0;          ///< particle-steps of the whole job
-    double first = -1, last = 0;  ///< particle-steps at the first and the newest report
-    double fraction = 0;          ///< of the simulated time
+    double expected = 0;  ///< particle-steps of the whole job
+    double last = -1;     ///< particle-steps at the newest report; negative: none yet
+    double fraction = 0;  ///< of the simulated time until it should end
   };
   struct Sample {
     Clock::time_point at;

@@ -15,6 +15,7 @@
 #include "analysis/settling.hpp"
 #include "campaign/heartbeat.hpp"
 #include "campaign/history.hpp"
+#include "campaign/job.hpp"
 #include "campaign/job_directory.hpp"
 #include "campaign/json_file.hpp"
 #include "campaign/log.hpp"
@@ -66,13 +67,16 @@ class StopRequest {
 /// Installs progress.json about once a second of wall time.
 class ProgressWriter {
  public:
-  explicit ProgressWriter(JobDirectory directory) : directory_(std::move(directory)) {}
+  ProgressWriter(JobDirectory directory, const Scene& scene)
+      : directory_(std::move(directory)), expected_end_s_(expected_end_s(scene)) {}
 
   void operator()(const Progress& p) {
     const auto now = std::chrono::steady_clock::now();
     if (now - last_ < std::chrono::seconds(1)) return;
     last_ = now;
-    const WorkerProgress report{p.time, p.end_time, p.step, p.particle_steps, p.wall_s, ::getpid()};
+    const WorkerProgress report{p.time,    p.end_time,       std::min(expected_end_s_, p.end_time),
+                                p.step,    p.particle_steps, p.wall_s,
+                                ::getpid()};
     try {
       install_text(directory_.progress(), to_json(report).dump());
     } catch (const EnvironmentError& error) {
@@ -82,6 +86,7 @@ class ProgressWriter {
 
  private:
   JobDirectory directory_;
+  double expected_end_s_;
   std::chrono::steady_clock::time_point last_{};
 };
 
@@ -129,7 +134,8 @@ int run_job(const JobDirectory& directory, int threads) {
   for (const std::string& warning : warnings(scene)) spdlog::warn("{}", warning);
   fs::remove(directory.failure());
   try {
-    const Computed computed = compute(scene, directory.path, threads, 0, ProgressWriter(directory));
+    const Computed computed =
+        compute(scene, directory.path, threads, 0, ProgressWriter(directory, scene));
     if (computed.summary.end != RunEnd::finished) {
       spdlog::info("stopped at {:.6g} s, step {}: the checkpoint is written",
                    computed.summary.progress.time, computed.summary.progress.step);

@@ -135,13 +135,14 @@ std::vector<Remnant> remnants(const Connection& connection, std::int64_t job) {
   return rows;
 }
 
-double core_seconds(const Connection& connection, std::int64_t job) {
-  double sum = 0;
+std::optional<double> core_seconds(const Connection& connection, std::int64_t job) {
+  std::optional<double> sum;
   connection.read([&](SQLite::Database& sql) {
-    SQLite::Statement select(
-        sql, "SELECT coalesce(sum(core_seconds), 0) FROM attempts WHERE job_id = ?");
+    SQLite::Statement select(sql, R"(
+        SELECT sum(core_seconds) FROM attempts WHERE job_id = ?
+        HAVING count(*) = count(core_seconds))");
     select.bind(1, job);
-    if (select.executeStep()) sum = select.getColumn(0).getDouble();
+    if (select.executeStep()) sum = number(select.getColumn(0));
   });
   return sum;
 }

@@ -51,8 +51,9 @@ std::vector<ResultRow> selected_results(const Connection& connection, ViewQuery 
 /// The remnants of a job, the most massive first.
 std::vector<Remnant> remnants(const Connection& connection, std::int64_t job);
 
-/// Processor time of all attempts at a job, s; 0 where none is known.
-double core_seconds(const Connection& connection, std::int64_t job);
+/// Processor time of all attempts at a job, s; nothing where that of one is not known, because its
+/// machine or its manager died with it.
+std::optional<double> core_seconds(const Connection& connection, std::int64_t job);
 
 /// Counts of a sweep's jobs by state, and what is left and was spent.
 struct SweepStatus {

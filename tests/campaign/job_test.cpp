@@ -20,6 +20,17 @@ TEST(Job, ExpectsTwiceTheWorkForTwiceTheTime) {
   EXPECT_NEAR(expected_particle_steps(scene_with({{"end", {{"time_s", 2e4}}}})) / once, 2, 1e-3);
 }
 
+TEST(Job, ExpectsRunsThatMaySettleToEndAsOthersDid) {
+  nlohmann::json fields = {{"end", {{"time_s", 6e4}}}};
+  EXPECT_EQ(expected_end_s(scene_with(fields)), 6e4);
+  fields["end"]["settled"]["window_s"] = 4000;
+  EXPECT_EQ(expected_end_s(scene_with(fields)), 3e4);
+  fields["numerics"]["rigid_flight"] = true;
+  EXPECT_EQ(expected_end_s(scene_with(fields)), 5e4);
+  fields["end"]["time_s"] = 1e4;
+  EXPECT_EQ(expected_end_s(scene_with(fields)), 1e4);
+}
+
 TEST(Job, ExpectsTheWorkThatTheCourantConditionGives) {
   // N = 8000 makes the spacing of a 50 m body (4 pi / 3 / 8000)^(1/3) 50 m = 4.03 m, h = 4.836 m;
   // c_l = sqrt((26700 + 4/3 22700) / 2700) = 4.593 m/s; dt = 0.7 h / c_l = 0.737 s.

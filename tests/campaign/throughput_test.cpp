@@ -11,7 +11,8 @@ const Throughput::Clock::time_point start{};
 WorkerProgress at(double time_s, double particle_steps) {
   WorkerProgress p;
   p.time_s = time_s;
-  p.end_time_s = 100;
+  p.end_time_s = 1000;
+  p.expected_end_s = 100;
   p.particle_steps = particle_steps;
   return p;
 }
@@ -37,6 +38,16 @@ TEST(Throughput, AddsUpTheStepsOfAllWorkers) {
   EXPECT_NEAR(t.eta_s(), 3.25e6 / 7.5e4, 1e-6);
 }
 
+TEST(Throughput, ExpectsATenthMoreOfARunThatShouldBeOver) {
+  Throughput t(1e6, 0);
+  t.started(1, 1e6);
+  t.progressed(1, at(0, 0));
+  t.sample(start);
+  t.progressed(1, at(150, 2e6));
+  t.sample(start + seconds(10));
+  EXPECT_NEAR(t.eta_s(), 0.1 * 2e6 / 2e5, 1e-9);
+}
+
 TEST(Throughput, DoesNotCountWhatAnEarlierAttemptDid) {
   Throughput t(1e6, 0);
   t.started(1, 1e6);
@@ -44,6 +55,18 @@ TEST(Throughput, DoesNotCountWhatAnEarlierAttemptDid) {
   t.sample(start);
   t.sample(start + seconds(1));
   EXPECT_EQ(t.particle_steps_per_s(), 0);
+}
+
+TEST(Throughput, CountsOnWhereAWorkerWentBackToACheckpoint) {
+  Throughput t(1e6, 0);
+  t.started(1, 1e6);
+  t.progressed(1, at(50, 5e5));  // by a worker that was killed
+  t.progressed(1, at(20, 2e5));
+  t.sample(start);
+  t.progressed(1, at(30, 3e5));
+  t.sample(start + seconds(10));
+  EXPECT_DOUBLE_EQ(t.particle_steps_per_s(), 1e4);
+  EXPECT_NEAR(t.eta_s(), 70, 1e-9);
 }
 
 TEST(Throughput, CorrectsTheFormulaByFinishedJobs) {

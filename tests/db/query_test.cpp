@@ -94,6 +94,21 @@ TEST_F(Query, MeasuresSpeedOverFinishedAttempts) {
   EXPECT_NEAR(measured.expected_over_done, 0.5, 1e-5);
 }
 
+TEST_F(Query, AddsUpTheCostOfAttemptsUnlessOneWasLost) {
+  const std::int64_t pending = jobs(connection, {std::nullopt, JobState::pending}).at(0).id;
+  const auto attempt = [&](std::optional<double> cost) {
+    begin_attempts(connection, std::vector{Start{pending, "here", "1", "0.1.0"}});
+    AttemptEnd end = ended(cost ? ExitReason::stopped : ExitReason::lost);
+    end.core_seconds = cost;
+    end_attempt(connection, pending, end, JobState::pending);
+  };
+  EXPECT_EQ(core_seconds(connection, pending), std::nullopt);
+  attempt(2), attempt(3);
+  EXPECT_EQ(core_seconds(connection, pending), 5);
+  attempt({});
+  EXPECT_EQ(core_seconds(connection, pending), std::nullopt);
+}
+
 TEST_F(Query, KnowsWhenTheNewestResultCame) {
   const double now =
       std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
