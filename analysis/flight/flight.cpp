@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "analysis/flight/mutual_gravity.hpp"
+#include "analysis/flight/spheres.hpp"
 #include "solver/base/constants.hpp"
 
 namespace eerie {
@@ -22,21 +22,6 @@ constexpr long steps_unasked = 50;
 constexpr double contact_in_spacings = 1.2, room_in_h = 3;
 /// Parts of a step in which a contact is looked for.
 constexpr int parts = 16;
-
-/// Least distance between any two of their particles is below `contact`.
-bool touch(const RigidBody& one, const RigidBody& other, double contact) {
-  const double reach = one.radius + other.radius + contact;
-  if (norm2(one.x - other.x) > reach * reach) return false;
-  const auto& [small, large] =
-      one.members.size() < other.members.size() ? std::tie(one, other) : std::tie(other, one);
-  const Mat3 back = transpose(large.turned);
-  for (std::size_t k = 0; k < small.members.size(); ++k) {
-    const Vec3 place = back * (small.place(k) - large.x);
-    for (const Vec3& offset : large.offsets)
-      if (norm2(offset - place) < contact * contact) return true;
-  }
-  return false;
-}
 
 class Flying {
  public:
@@ -122,32 +107,33 @@ class Flying {
 
   /// Sticks together what has come into contact within the last `dt`, at the place where it did.
   void land(double dt) {
+    spheres_.take(bodies_);
     for (std::size_t a = 0; a < bodies_.size(); ++a)
-      for (std::size_t b = a + 1; b < bodies_.size();) {
-        if (!touch(bodies_[a], bodies_[b], contact_)) {
-          ++b;
-          continue;
-        }
+      for (std::size_t b = a; (b = spheres_.next_within(contact_, a, b)) < bodies_.size();) {
+        if (!touch(bodies_[a], bodies_[b], contact_)) continue;
         landed_ += std::min(bodies_[a].mass, bodies_[b].mass);
         stick(a, b, dt);
-        b = a + 1;  // what is larger now may touch more
+        b = a;  // what is larger now may touch more
       }
     if (std::exchange(has_landed_, false)) gravity_.take(bodies_, state_.id);
   }
 
   /// They stick where they first touched, and go on from there as one.
   void stick(std::size_t a, std::size_t b, double dt) {
-    RigidBody one = bodies_[a], other = bodies_[b];
+    RigidBody &one = bodies_[a], &other = bodies_[b];
     const double part = dt / parts;
     int back = 0;
     for (; back < parts; ++back) {
-      RigidBody one_before = one, other_before = other;
-      one_before.drift(-part), other_before.drift(-part);
-      if (!touch(one_before, other_before, contact_)) break;
-      one = std::move(one_before), other = std::move(other_before);
+      const RigidBody::Place here = one.place(), there = other.place();
+      one.drift(-part), other.drift(-part);
+      if (touch(one, other, contact_)) continue;
+      one.move_to(here), other.move_to(there);
+      break;
     }
-    bodies_[a] = stuck_together(one, other, state_);
-    bodies_[a].drift(back * part);
+    one = stuck_together(std::move(one), std::move(other), state_);
+    one.drift(back * part);
+    spheres_.set(a, one);
+    spheres_.erase(b);
     bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(b));
     has_landed_ = true;
   }
@@ -162,6 +148,7 @@ class Flying {
   State state_;
   double contact_;  ///< m
   std::vector<RigidBody> bodies_;
+  Spheres spheres_;  ///< of the bodies
   std::vector<Pull> pulls_;
   MutualGravity gravity_;
   double landed_ = 0;

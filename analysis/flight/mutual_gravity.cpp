@@ -19,6 +19,8 @@ void sort_members(RigidBody& body, const std::vector<std::uint32_t>& id) {
   const std::vector<std::uint32_t> order = kd_order(offsets, ids);
   for (std::size_t k = 0; k < order.size(); ++k)
     body.members[k] = members[order[k]], body.offsets[k] = offsets[order[k]];
+  body.make_blocks();
+  body.in_kd_order = true;
 }
 
 }  // namespace
@@ -35,7 +37,7 @@ void MutualGravity::take(std::vector<RigidBody>& bodies, const std::vector<std::
   std::vector<Member> light;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const bool is_heavy = bodies[b].mass >= heavy_;
-    if (is_heavy) sort_members(bodies[b], id);
+    if (is_heavy && !bodies[b].in_kd_order) sort_members(bodies[b], id);
     std::vector<Member> members;
     for (std::size_t k = 0; k < bodies[b].members.size(); ++k)
       (is_heavy ? members : light).push_back({b, k});

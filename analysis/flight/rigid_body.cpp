@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -45,8 +46,8 @@ Vec3 spin(const SymTensor& I, const Vec3& L) {
   return {omega.x(), omega.y(), omega.z()};
 }
 
-void turn_stress(const RigidBody& body, State& state) {
-  for (const std::uint32_t i : body.members) state.S[i] = turned(state.S[i], body.turned);
+void turn_stress(const Clump& members, const Mat3& rotation, State& state) {
+  for (const std::uint32_t i : members) state.S[i] = turned(state.S[i], rotation);
 }
 
 /// Inertia and radius of offsets from the centre of mass.
@@ -58,6 +59,20 @@ void measure(RigidBody& body, double particle_mass) {
                                               -r.x * r.y,     -r.x * r.z,     -r.y * r.z};
     body.radius = std::max(body.radius, std::sqrt(r2));
   }
+  body.make_blocks();
+}
+
+/// Whether a place, from the centre of mass and not turned, is so near to any particle.
+bool is_near(const Vec3& place, const RigidBody& body, double contact) {
+  const double contact2 = contact * contact;
+  for (std::size_t block = 0; block < body.blocks.size(); ++block) {
+    if (distance2(body.blocks[block], place) > contact2) continue;
+    const std::size_t first = block * RigidBody::block_size;
+    const std::size_t end = std::min(first + RigidBody::block_size, body.offsets.size());
+    for (std::size_t k = first; k < end; ++k)
+      if (norm2(body.offsets[k] - place) < contact2) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -69,6 +84,22 @@ void RigidBody::drift(double duration) {
   const Mat3 before = turned;
   turned = rotation(duration / 2 * angular_velocity()) * before;
   turned = rotation(duration * angular_velocity()) * before;
+}
+
+void RigidBody::make_blocks() {
+  blocks.assign((offsets.size() + block_size - 1) / block_size, {});
+  for (std::size_t k = 0; k < offsets.size(); ++k) blocks[k / block_size].include(offsets[k]);
+}
+
+bool touch(const RigidBody& one, const RigidBody& other, double contact) {
+  const double reach = one.radius + other.radius + contact;
+  if (norm2(one.x - other.x) > reach * reach) return false;
+  const auto& [small, large] =
+      one.members.size() < other.members.size() ? std::tie(one, other) : std::tie(other, one);
+  const Mat3 back = transpose(large.turned);
+  for (std::size_t k = 0; k < small.members.size(); ++k)
+    if (is_near(back * (small.place(k) - large.x), large, contact)) return true;
+  return false;
 }
 
 RigidBody rigid_body(const State& state, Clump members) {
@@ -86,27 +117,25 @@ RigidBody rigid_body(const State& state, Clump members) {
   return body;
 }
 
-RigidBody stuck_together(const RigidBody& one, const RigidBody& other, State& state) {
-  RigidBody body;
-  body.mass = one.mass + other.mass;
-  body.x = (one.mass * one.x + other.mass * other.x) / body.mass;
-  body.v = (one.mass * one.v + other.mass * other.v) / body.mass;
-  body.L =
-      one.L + other.L + one.mass * other.mass / body.mass * cross(one.x - other.x, one.v - other.v);
-  struct Placed {
-    std::uint32_t member;
-    Vec3 offset;
-  };
-  std::vector<Placed> all;
-  for (const RigidBody* part : {&one, &other}) {
-    turn_stress(*part, state);
-    for (std::size_t k = 0; k < part->members.size(); ++k)
-      all.push_back({part->members[k], part->place(k) - body.x});
+RigidBody stuck_together(RigidBody one, RigidBody other, State& state) {
+  if (one.members.size() < other.members.size()) std::swap(one, other);
+  const double mass = one.mass + other.mass;
+  const Vec3 x = (one.mass * one.x + other.mass * other.x) / mass;
+  const Vec3 v = (one.mass * one.v + other.mass * other.v) / mass;
+  one.L += other.L + one.mass * other.mass / mass * cross(one.x - other.x, one.v - other.v);
+  // The larger one's frame stays, so that little has to be turned.
+  const Mat3 into = transpose(one.turned);
+  const Vec3 shift = into * (one.x - x);
+  for (Vec3& offset : one.offsets) offset += shift;
+  turn_stress(other.members, into * other.turned, state);
+  for (std::size_t k = 0; k < other.members.size(); ++k) {
+    one.members.push_back(other.members[k]);
+    one.offsets.push_back(into * (other.place(k) - x));
   }
-  std::ranges::sort(all, {}, [&](const Placed& p) { return state.id[p.member]; });
-  for (const Placed& p : all) body.members.push_back(p.member), body.offsets.push_back(p.offset);
-  measure(body, state.mass);
-  return body;
+  one.mass = mass, one.x = x, one.v = v;
+  one.in_kd_order = false;
+  measure(one, state.mass);
+  return one;
 }
 
 void put_back(const RigidBody& body, State& state) {
@@ -117,7 +146,7 @@ void put_back(const RigidBody& body, State& state) {
     state.x[i] = body.x + r;
     state.v[i] = body.v + cross(omega, r);
   }
-  turn_stress(body, state);
+  turn_stress(body.members, body.turned, state);
 }
 
 }  // namespace eerie

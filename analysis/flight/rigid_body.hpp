@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "analysis/clumps.hpp"
+#include "solver/base/box.hpp"
 #include "solver/base/tensor.hpp"
 #include "solver/particles/state.hpp"
 
@@ -18,8 +19,18 @@ struct RigidBody {
   Vec3 x, v;                       ///< of the centre of mass
   Vec3 L;                          ///< about it, kg m^2/s
   Mat3 turned = Mat3::identity();  ///< R: the rotation since it was made
+  std::vector<Box> blocks;         ///< of block_size successive offsets each
+  static constexpr std::size_t block_size = 64;
+  bool in_kd_order = false;  ///< members and offsets (mutual_gravity.hpp)
 
   Vec3 place(std::size_t k) const { return x + turned * offsets[k]; }
+  /// Where it is and how it is turned: all that free motion changes.
+  struct Place {
+    Vec3 x;
+    Mat3 turned;
+  };
+  Place place() const { return {x, turned}; }
+  void move_to(const Place& there) { x = there.x, turned = there.turned; }
   /// rad/s; nothing turns about a line of particles, or in a single one.
   Vec3 angular_velocity() const;
   /// Force and torque act for `duration` s.
@@ -29,15 +40,20 @@ struct RigidBody {
   /// Moves and turns freely for `duration` s: torque-free rotation by the midpoint rule, of second
   /// order; L stays as it is.
   void drift(double duration);
+  /// To be called whenever offsets have come into another order.
+  void make_blocks();
 };
+
+/// Whether the least distance between any two of their particles is below `contact`, m.
+bool touch(const RigidBody& one, const RigidBody& other, double contact);
 
 /// The members of a state as one rigid body.
 RigidBody rigid_body(const State& state, Clump members);
 
 /// What two bodies are once they stick: the same mass, centre, momentum and angular momentum, less
-/// the energy of their relative motion. Turns the stresses of their particles by as much as they
-/// had turned.
-RigidBody stuck_together(const RigidBody& one, const RigidBody& other, State& state);
+/// the energy of their relative motion. Its frame is that of the larger one, into which the
+/// stresses of the other one's particles are turned.
+RigidBody stuck_together(RigidBody one, RigidBody other, State& state);
 
 /// Gives the particles of a body the places and velocities of its rigid motion, and turns their
 /// stresses by as much as the body has turned since it was made.

@@ -109,6 +109,66 @@ TEST(RigidBody, StuckToAnotherKeepsMassMomentumAndAngularMomentum) {
   EXPECT_LT(norm(after.L - before.L), 1e-8 * norm(before.L));
 }
 
+/// A large body and a small one beside it, both stressed; the first so many particles are `large`.
+struct Pair {
+  State state = spinning_body({30, 20, 20}, {1e-4, 2e-4, 0}, {0.05, 0, 0});
+  Clump large = everything(state), small;
+  Pair() {
+    const std::vector<Vec3> x =
+        test::moved(test::ellipsoid({20, 20, 10}, spacing), Mat3::identity(), {80, -20, 10});
+    test::add(state, x, spinning(x, {0, 0, -4e-4}, {-0.1, 0.02, 0}), Body::impactor);
+    for (auto i = static_cast<std::uint32_t>(large.size()); i < state.size(); ++i)
+      small.push_back(i);
+    for (std::size_t i = 0; i < state.size(); ++i)
+      state.S[i] = {2, -1, -1, 0.1 * static_cast<double>(i % 7), 0, 0.3};
+  }
+};
+
+TEST(RigidBody, StuckToAnotherAfterBothHaveTurnedLeavesEveryParticleWhereItWas) {
+  Pair pair;
+  for (const bool large_first : {true, false}) {
+    RigidBody large = rigid_body(pair.state, pair.large),
+              small = rigid_body(pair.state, pair.small);
+    large.drift(3000), small.drift(2000);
+    State apart = pair.state, together = pair.state;
+    put_back(large, apart), put_back(small, apart);
+    const RigidBody both = large_first ? stuck_together(large, small, together)
+                                       : stuck_together(small, large, together);
+    put_back(both, together);
+    for (std::size_t i = 0; i < apart.size(); ++i) {
+      EXPECT_LT(norm(together.x[i] - apart.x[i]), 1e-10);
+      const Vec3 across{1, 2, 3};
+      EXPECT_LT(norm(to_matrix(together.S[i]) * across - to_matrix(apart.S[i]) * across), 1e-12);
+    }
+  }
+}
+
+/// As `touch` should say, pair by pair.
+bool any_within(const RigidBody& one, const RigidBody& other, double contact) {
+  for (std::size_t k = 0; k < one.offsets.size(); ++k)
+    for (std::size_t l = 0; l < other.offsets.size(); ++l)
+      if (norm(one.place(k) - other.place(l)) < contact) return true;
+  return false;
+}
+
+TEST(RigidBody, TouchesAnotherWhereverOneOfItsParticlesIsWithinContact) {
+  Pair pair;
+  RigidBody large = rigid_body(pair.state, pair.large), small = rigid_body(pair.state, pair.small);
+  large.drift(1000);
+  int touching = 0;
+  const int places = 400;
+  for (int k = 0; k < places; ++k) {
+    small.x = large.x + (36 + 0.03 * k) * (test::rotation({1, 2, 3}, 0.1 * k) * Vec3{1, 0, 0});
+    small.drift(100);
+    const bool expected = any_within(large, small, spacing);
+    EXPECT_EQ(touch(large, small, spacing), expected);
+    EXPECT_EQ(touch(small, large, spacing), expected);
+    touching += expected;
+  }
+  EXPECT_GT(touching, places / 8);
+  EXPECT_LT(touching, places * 7 / 8);
+}
+
 TEST(RigidBody, OfOneOrTwoParticlesHasItsAngularMomentum) {
   State state = test::empty_state();
   test::add(state, {{0, 0, 0}, {6, 0, 0}}, {{0, 0, 0.01}, {0, 0.02, -0.01}}, Body::target);
