@@ -166,6 +166,20 @@ double next_meeting(const Remnants& found, const Scene::Settled& settled) {
   return first;
 }
 
+double falling_back(const Remnants& found, double horizon, const Scene::Settled& settled) {
+  const std::vector<Remnant>& all = found.remnants;
+  std::vector<PointMass> fragments = found.debris;
+  for (const Remnant& r : all)
+    if (!is_watched(r, settled)) fragments.push_back(point(r));
+  double falling = 0;
+  for (const PointMass& fragment : fragments)
+    if (std::ranges::any_of(all, [&](const Remnant& r) {
+          return is_watched(r, settled) && encounter(r, fragment).time_s() <= horizon;
+        }))
+      falling += fragment.mass;
+  return falling;
+}
+
 double horizon(const Scene::End& end, double time_s) {
   return std::min(end.settled.horizon_s, std::max(end.time_s, end.latest_s) - time_s);
 }
@@ -173,9 +187,6 @@ double horizon(const Scene::End& end, double time_s) {
 std::string encounters(const Remnants& found, double total, double horizon,
                        const Scene::Settled& settled) {
   const std::vector<Remnant>& all = found.remnants;
-  std::vector<PointMass> fragments = found.debris;
-  for (const Remnant& r : all)
-    if (!is_watched(r, settled)) fragments.push_back(point(r));
   for (std::size_t group = 0; group < found.group_masses.size(); ++group) {
     const double loose = found.group_masses[group] - found.group_cores[group];
     if (found.group_cores[group] < settled.mass * total && loose > settled.fall_back * total)
@@ -189,12 +200,7 @@ std::string encounters(const Remnants& found, double total, double horizon,
         return fmt::format("remnants {} and {} will meet in about {:.0f} s", all[i].rank,
                            all[j].rank, time);
     }
-  double falling = 0;
-  for (const PointMass& fragment : fragments)
-    if (std::ranges::any_of(all, [&](const Remnant& r) {
-          return is_watched(r, settled) && encounter(r, fragment).time_s() <= horizon;
-        }))
-      falling += fragment.mass;
+  const double falling = falling_back(found, horizon, settled);
   if (falling > settled.fall_back * total)
     return fmt::format("{:.3f} of the mass will fall back", falling / total);
   return "";

@@ -41,6 +41,10 @@ std::string restlessness(std::span<const RemnantLook> looks, const Scene::Settle
 /// encounters().
 double next_meeting(const Remnants& found, const Scene::Settled& settled);
 
+/// Mass of the fragments that come into contact with a remnant within `horizon` (s), kg. As in
+/// encounters().
+double falling_back(const Remnants& found, double horizon, const Scene::Settled& settled);
+
 /// What gravity will bring within `horizon` (s): the first contact of two remnants, more fragments
 /// falling back than settled.fall_back allows, or a remnant that gathers from fragments; empty
 /// where nothing. `total`: mass of both bodies, kg. Orbits are those of pairs; contact is at the

@@ -52,18 +52,20 @@ std::optional<Landing> flight_from(const Snapshot& now, double until,
   };
   if (!restlessness(looks, settled).empty() || !something_ahead(now.state.time, found))
     return std::nullopt;
+  const double shortest = settled.window_s / 2, most_landed = settled.fall_back / 2 * total;
+  if (falling_back(found, shortest, settled) >= most_landed) return std::nullopt;
 
   FlightPlan plan;
   plan.until_s = until;
   plan.spacing = std::cbrt(now.state.mass / scene.material.rho0_kg_per_m3);
   plan.opening_angle = scene.numerics.opening_angle;
   plan.heavy = heavy_over_total * total;
-  plan.most_landed = settled.fall_back / 2 * total;
+  plan.most_landed = most_landed;
   plan.waits = [&](const State& s) { return something_ahead(s.time, find_remnants(s)); };
   plan.stop = stop;
   Flight flight = fly(now.state, plan);
   const double duration = flight.state.time - now.state.time;
-  if (flight.end == FlightEnd::stopped || duration < settled.window_s / 2) return std::nullopt;
+  if (flight.end == FlightEnd::stopped || duration < shortest) return std::nullopt;
   return Landing{
       std::move(flight.state), flight.end == FlightEnd::encounter,
       fmt::format("{:.4f} of the mass landed, {}", flight.landed / total, why(flight.end))};

@@ -19,7 +19,8 @@ bool impact_ahead(const Remnants& found, const Scene::Settled& settled);
 /// `encounters` lie ahead, the state after as long a flight (flight.hpp) as brings it to the next
 /// thing to compute as matter: two bodies of at least 0.005 of the mass about to meet; half of
 /// end.settled.fall_back of the mass landed; nothing left to wait for; or `until`. Nothing where
-/// that is less than half a window ahead. The state as it is where it is soft and an impact is
+/// that is less than half a window ahead, or where by their orbits so many fragments fall back
+/// within that time. The state as it is where it is soft and an impact is
 /// ahead. `looks` and `found`: of the run so far, and of now.
 std::optional<Landing> flight_from(const Snapshot& now, double until,
                                    std::span<const RemnantLook> looks, const Remnants& found,

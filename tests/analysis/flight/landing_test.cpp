@@ -106,6 +106,18 @@ TEST(RigidFlight, IsNotTakenWithoutSomethingToWaitForOrWithoutRest) {
   EXPECT_FALSE(restless.flight().has_value());
 }
 
+TEST(RigidFlight, IsNotTakenWhileSoMuchFallsBackThatItWouldEndAtOnce) {
+  Waiting waiting(400, 0.005);
+  const double total = waiting.now.state.mass * static_cast<double>(waiting.now.state.size());
+  const double enough = waiting.now.scene.end.settled.fall_back / 2 * total;
+  const PointMass falling{0.6 * enough, waiting.found.remnants[0].x + Vec3{0, 40, 0},
+                          waiting.found.remnants[0].v};
+  waiting.found.debris = {falling};
+  EXPECT_TRUE(waiting.flight().has_value());
+  waiting.found.debris.push_back(falling);
+  EXPECT_FALSE(waiting.flight().has_value());
+}
+
 TEST(RigidFlight, GivesMatterItsModuliBackBeforeAnImpact) {
   const Waiting soft(75, 0.005, 0.25), stiff(75, 0.005);
   ASSERT_TRUE(impact_ahead(soft.found, soft.now.scene.end.settled));
