@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/base/places.hpp"
 #include "solver/sph/kernel.hpp"
 #include "solver/step/solver.hpp"
 
@@ -10,17 +11,19 @@ namespace eerie {
 
 namespace {
 
-/// sum_j m W_ij of particle k of a bucket, itself included: its density by arrangement, kg/m^3.
+/// sum_j m W_ij over all that is around a bucket, for particle k of it: its density by arrangement,
+/// kg/m^3. `around` in units of h.
 template <class Kernel>
-double arranged_density(const State& s, const NeighbourList& lists, std::size_t bucket,
-                        std::size_t k) {
-  const Vec3& x = s.x[bucket * bucket_size + k];
-  double sum = Kernel::w(0.0);
-  lists.visit_listed(bucket, k, s.x, [&](const Vec3& there) {
-    const double q = norm(x - there) / s.h;
-    if (q > 0) sum += Kernel::w(q);
-  });
-  return s.mass * Kernel::normalisation / (s.h * s.h * s.h) * sum;
+double arranged_density(const State& s, const Places& around, std::size_t k) {
+  Pack<float> sum{};
+  for (std::size_t first = 0; first < around.x.size(); first += lanes<float>) {
+    const Pack<float> r2 =
+        around.distance2(first, around.x[k], around.y[k], around.z[k]) + 1e-12f;  // 1/r is finite
+    sum += Kernel::w(Pack<float>(r2 * inverse_sqrt(r2)));
+  }
+  double w = 0;
+  for (int l = 0; l < lanes<float>; ++l) w += double{sum[l]};
+  return s.mass * Kernel::normalisation / cubed(s.h) * w;
 }
 
 }  // namespace
@@ -36,11 +39,21 @@ void Solver::find_voids() {
   has_room_.resize(state_.size());
   std::visit(
       [&](auto kernel) {
-#pragma omp parallel for schedule(dynamic, 8)
-        for (std::size_t b = 0; b < lists_.buckets(); ++b)
-          for (std::size_t k = 0, i = b * bucket_size; k < bucket_size && i < state_.size();
-               ++k, ++i)
-            has_room_[i] = arranged_density<decltype(kernel)>(state_, lists_, b, k) < full;
+#pragma omp parallel
+        {
+          Places around;
+#pragma omp for schedule(dynamic, 8)
+          for (std::size_t b = 0; b < lists_.buckets(); ++b) {
+            const std::size_t begin = b * bucket_size;
+            around.clear();
+            lists_.visit_around(b, state_.x, [&](const Vec3& there) {
+              around.push((there - state_.x[begin]) / state_.h);
+            });
+            around.pad();
+            for (std::size_t k = 0; k < bucket_size && begin + k < state_.size(); ++k)
+              has_room_[begin + k] = arranged_density<decltype(kernel)>(state_, around, k) < full;
+          }
+        }
       },
       make_kernel(scene_.numerics.kernel));
 }

@@ -6,22 +6,11 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
-#include "solver/base/simd.hpp"
+#include "solver/base/places.hpp"
 
 namespace eerie {
 
 namespace {
-
-/// Surroundings of one bucket as floats relative to its centre, padded to whole vectors.
-struct Local {
-  std::vector<float> x, y, z;
-  void clear() { x.clear(), y.clear(), z.clear(); }
-  void push(const Vec3& d) {
-    x.push_back(static_cast<float>(d.x));
-    y.push_back(static_cast<float>(d.y));
-    z.push_back(static_cast<float>(d.z));
-  }
-};
 
 struct Builder {
   const KdTree& tree;
@@ -31,7 +20,7 @@ struct Builder {
   const std::vector<Image>& images;
   std::size_t row_units;
   std::vector<float>& slack;
-  Local local;
+  Places local;  ///< relative to the centre of the bucket
   std::vector<std::uint32_t> stack;
   std::vector<std::uint32_t> rows;
   std::vector<std::uint16_t> found, index;
@@ -94,7 +83,7 @@ struct Builder {
       const bool mirrored = !list.images.empty() && list.images[k] > 0;
       local.push((mirrored ? images[list.images[k] - 1u](at) : at) - centre);
     }
-    while (local.x.size() % lanes<float> != 0) local.push({1e9, 1e9, 1e9});
+    local.pad();
     for (std::uint32_t k = 0; k < last - first; ++k) {
       list.begin[k] = static_cast<std::uint32_t>(index.size());
       const std::size_t neighbours = append_neighbours(k);
@@ -111,22 +100,14 @@ struct Builder {
   }
 
   std::size_t append_neighbours(std::uint32_t k) {
-    using P = Pack<float>;
     // Rounding of float positions must not lose a pair: widen the radius by a part in 1e5.
     const auto r2 = static_cast<float>(radius * radius * (1 + 2e-5));
     const float xk = local.x[k], yk = local.y[k], zk = local.z[k];
-    const float *x_of = local.x.data(), *y_of = local.y.data(), *z_of = local.z.data();
     local.x[k] = 1e9f;  // out of its own way
     found.resize(local.x.size() + NeighbourList::padding);
     std::uint16_t* end = found.data();
-    for (std::size_t l = 0; l < local.x.size(); l += lanes<float>) {
-      P dx, dy, dz;
-      std::memcpy(&dx, x_of + l, sizeof dx);
-      std::memcpy(&dy, y_of + l, sizeof dy);
-      std::memcpy(&dz, z_of + l, sizeof dz);
-      dx -= xk, dy -= yk, dz -= zk;
-      end = append_less(P(dx * dx + dy * dy + dz * dz), r2, static_cast<std::uint16_t>(l), end);
-    }
+    for (std::size_t l = 0; l < local.x.size(); l += lanes<float>)
+      end = append_less(local.distance2(l, xk, yk, zk), r2, static_cast<std::uint16_t>(l), end);
     local.x[k] = xk;
     const auto neighbours = static_cast<std::size_t>(end - found.data());
     while (static_cast<std::size_t>(end - found.data()) % NeighbourList::padding != 0)

@@ -63,10 +63,14 @@ class NeighbourList {
     for (std::uint32_t e = list.begin[k]; e < list.begin[k + 1]; ++e) {
       const std::size_t place = list.index[e] / row_units_;
       if (place >= list.rows.size()) continue;  // padding
-      const Vec3& there = x[list.rows[place]];
-      const std::size_t image = list.images.empty() ? 0 : list.images[place];
-      visit(image == 0 ? there : images_[image - 1](there));
+      visit(where(list, place, x));
     }
+  }
+  /// The same for all that any particle of a bucket lists, and its own particles, which come first.
+  template <class Visit>
+  void visit_around(std::size_t bucket, const std::vector<Vec3>& x, Visit&& visit) const {
+    const BucketList& list = buckets_[bucket];
+    for (std::size_t place = 0; place < list.rows.size(); ++place) visit(where(list, place, x));
   }
   std::size_t buckets() const { return buckets_.size(); }
   bool empty() const { return buckets_.empty(); }
@@ -83,6 +87,11 @@ class NeighbourList {
   struct RigidMotion {
     Vec3 translation, rotation;
   };
+  Vec3 where(const BucketList& list, std::size_t place, const std::vector<Vec3>& x) const {
+    const Vec3& there = x[list.rows[place]];
+    const std::size_t image = list.images.empty() ? 0 : list.images[place];
+    return image == 0 ? there : images_[image - 1](there);
+  }
   void fit_bulk();
   RigidMotion bulk_motion(const std::vector<Vec3>& x) const;
   double support_, skin_;

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstring>
+#include <vector>
+
+#include "solver/base/simd.hpp"
+#include "solver/base/vec3.hpp"
+
+namespace eerie {
+
+/// Places as floats, relative to a point near by, side by side, so that the distances of a whole
+/// pack of them are found at once.
+struct Places {
+  std::vector<float> x, y, z;
+
+  void clear() { x.clear(), y.clear(), z.clear(); }
+  void push(const Vec3& d) {
+    x.push_back(static_cast<float>(d.x));
+    y.push_back(static_cast<float>(d.y));
+    z.push_back(static_cast<float>(d.z));
+  }
+  /// To whole packs, with places far away.
+  void pad() {
+    while (x.size() % lanes<float> != 0) push({1e9, 1e9, 1e9});
+  }
+  /// Squared distances of the pack that begins at number `first` from a place.
+  Pack<float> distance2(std::size_t first, float at_x, float at_y, float at_z) const {
+    Pack<float> dx, dy, dz;
+    std::memcpy(&dx, x.data() + first, sizeof dx);
+    std::memcpy(&dy, y.data() + first, sizeof dy);
+    std::memcpy(&dz, z.data() + first, sizeof dz);
+    dx -= at_x, dy -= at_y, dz -= at_z;
+    return dx * dx + dy * dy + dz * dz;
+  }
+};
+
+}  // namespace eerie
