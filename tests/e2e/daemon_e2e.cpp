@@ -107,7 +107,8 @@ TEST_F(Daemon, KilledAtWorkLosesNothing) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(number("SELECT count(*) FROM results"), 4);
   EXPECT_EQ(number("SELECT count(*) FROM attempts WHERE exit_reason = 'finished'"), 4);
-  EXPECT_EQ(eerie({"doctor"}).code, 0);
+  const Ended doctor = eerie({"doctor"});
+  EXPECT_EQ(doctor.code, 0) << doctor.out << doctor.err;
 }
 
 TEST_F(Daemon, ShowsAJobItsLogAndItsStatus) {
