@@ -126,9 +126,10 @@ class Flying {
     for (; back < parts; ++back) {
       const RigidBody::Place here = one.place(), there = other.place();
       one.drift(-part), other.drift(-part);
-      if (touch(one, other, contact_)) continue;
-      one.move_to(here), other.move_to(there);
-      break;
+      if (!touch(one, other, contact_)) {
+        one.move_to(here), other.move_to(there);
+        break;
+      }
     }
     one = stuck_together(std::move(one), std::move(other), state_);
     one.drift(back * part);

@@ -14,12 +14,7 @@ void sort_members(RigidBody& body, const std::vector<std::uint32_t>& id) {
   std::vector<std::uint32_t> ids;
   ids.reserve(body.members.size());
   for (const std::uint32_t i : body.members) ids.push_back(id[i]);
-  const Clump members = body.members;
-  const std::vector<Vec3> offsets = body.offsets;
-  const std::vector<std::uint32_t> order = kd_order(offsets, ids);
-  for (std::size_t k = 0; k < order.size(); ++k)
-    body.members[k] = members[order[k]], body.offsets[k] = offsets[order[k]];
-  body.make_blocks();
+  body.reorder(kd_order(body.offsets, ids));
   body.in_kd_order = true;
 }
 

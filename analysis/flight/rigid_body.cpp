@@ -50,7 +50,14 @@ void turn_stress(const Clump& members, const Mat3& rotation, State& state) {
   for (const std::uint32_t i : members) state.S[i] = turned(state.S[i], rotation);
 }
 
-/// Inertia and radius of offsets from the centre of mass.
+void make_blocks(RigidBody& body) {
+  constexpr std::size_t size = RigidBody::block_size;
+  body.blocks.assign((body.offsets.size() + size - 1) / size, {});
+  for (std::size_t k = 0; k < body.offsets.size(); ++k)
+    body.blocks[k / size].include(body.offsets[k]);
+}
+
+/// Inertia, radius and blocks of offsets from the centre of mass.
 void measure(RigidBody& body, double particle_mass) {
   body.inertia = {}, body.radius = 0;
   for (const Vec3& r : body.offsets) {
@@ -59,7 +66,7 @@ void measure(RigidBody& body, double particle_mass) {
                                               -r.x * r.y,     -r.x * r.z,     -r.y * r.z};
     body.radius = std::max(body.radius, std::sqrt(r2));
   }
-  body.make_blocks();
+  make_blocks(body);
 }
 
 /// Whether a place, from the centre of mass and not turned, is so near to any particle.
@@ -86,9 +93,12 @@ void RigidBody::drift(double duration) {
   turned = rotation(duration * angular_velocity()) * before;
 }
 
-void RigidBody::make_blocks() {
-  blocks.assign((offsets.size() + block_size - 1) / block_size, {});
-  for (std::size_t k = 0; k < offsets.size(); ++k) blocks[k / block_size].include(offsets[k]);
+void RigidBody::reorder(const std::vector<std::uint32_t>& order) {
+  const Clump old_members = members;
+  const std::vector<Vec3> old_offsets = offsets;
+  for (std::size_t k = 0; k < order.size(); ++k)
+    members[k] = old_members[order[k]], offsets[k] = old_offsets[order[k]];
+  make_blocks(*this);
 }
 
 bool touch(const RigidBody& one, const RigidBody& other, double contact) {

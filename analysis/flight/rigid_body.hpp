@@ -40,8 +40,8 @@ struct RigidBody {
   /// Moves and turns freely for `duration` s: torque-free rotation by the midpoint rule, of second
   /// order; L stays as it is.
   void drift(double duration);
-  /// To be called whenever offsets have come into another order.
-  void make_blocks();
+  /// Members and offsets in another order: number k is what was number order[k].
+  void reorder(const std::vector<std::uint32_t>& order);
 };
 
 /// Whether the least distance between any two of their particles is below `contact`, m.

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "solver/base/places.hpp"
 #include "solver/sph/kernel.hpp"

@@ -7,6 +7,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/places.hpp"
+#include "solver/base/simd.hpp"
 
 namespace eerie {
 
@@ -79,9 +80,7 @@ struct Builder {
     const Vec3 centre = box.centre();
     local.clear();
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      const Vec3& at = x[rows[k]];
-      const bool mirrored = !list.images.empty() && list.images[k] > 0;
-      local.push((mirrored ? images[list.images[k] - 1u](at) : at) - centre);
+      local.push(list.as_seen(k, x[rows[k]], images) - centre);
     }
     local.pad();
     for (std::uint32_t k = 0; k < last - first; ++k) {

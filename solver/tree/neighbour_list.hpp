@@ -20,6 +20,12 @@ struct BucketList {
   std::vector<std::uint8_t> images;                    ///< with walls, of each row: see Image
   std::vector<std::uint16_t> index;                    ///< all lists one after another
   std::array<std::uint32_t, bucket_size + 1> begin{};  ///< list k: index[begin[k]..begin[k+1])
+
+  /// Where row `place` is, whose particle is at `x`: there, or in its mirror.
+  Vec3 as_seen(std::size_t place, const Vec3& x, const std::vector<Image>& mirrors) const {
+    const std::size_t image = images.empty() ? 0 : images[place];
+    return image == 0 ? x : mirrors[image - 1](x);
+  }
 };
 
 /// Neighbour lists of all buckets with a search radius beyond the support (Verlet skin): they
@@ -63,14 +69,15 @@ class NeighbourList {
     for (std::uint32_t e = list.begin[k]; e < list.begin[k + 1]; ++e) {
       const std::size_t place = list.index[e] / row_units_;
       if (place >= list.rows.size()) continue;  // padding
-      visit(where(list, place, x));
+      visit(list.as_seen(place, x[list.rows[place]], images_));
     }
   }
   /// The same for all that any particle of a bucket lists, and its own particles, which come first.
   template <class Visit>
   void visit_around(std::size_t bucket, const std::vector<Vec3>& x, Visit&& visit) const {
     const BucketList& list = buckets_[bucket];
-    for (std::size_t place = 0; place < list.rows.size(); ++place) visit(where(list, place, x));
+    for (std::size_t place = 0; place < list.rows.size(); ++place)
+      visit(list.as_seen(place, x[list.rows[place]], images_));
   }
   std::size_t buckets() const { return buckets_.size(); }
   bool empty() const { return buckets_.empty(); }
@@ -87,11 +94,6 @@ class NeighbourList {
   struct RigidMotion {
     Vec3 translation, rotation;
   };
-  Vec3 where(const BucketList& list, std::size_t place, const std::vector<Vec3>& x) const {
-    const Vec3& there = x[list.rows[place]];
-    const std::size_t image = list.images.empty() ? 0 : list.images[place];
-    return image == 0 ? there : images_[image - 1](there);
-  }
   void fit_bulk();
   RigidMotion bulk_motion(const std::vector<Vec3>& x) const;
   double support_, skin_;

@@ -92,24 +92,7 @@ TEST(RigidBody, ThatTumblesKeepsItsEnergyToSecondOrder) {
   EXPECT_LT(fine, coarse / 3);
 }
 
-TEST(RigidBody, StuckToAnotherKeepsMassMomentumAndAngularMomentum) {
-  State state = spinning_body({30, 20, 20}, {1e-4, 2e-4, 0}, {0.05, 0, 0});
-  const std::size_t first = state.size();
-  const std::vector<Vec3> x =
-      test::moved(test::ellipsoid({20, 20, 10}, spacing), Mat3::identity(), {80, -20, 10});
-  test::add(state, x, spinning(x, {0, 0, -4e-4}, {-0.1, 0.02, 0}), Body::impactor);
-  Clump one, other;
-  for (std::uint32_t i = 0; i < state.size(); ++i) (i < first ? one : other).push_back(i);
-  const Sums before = sums(state);
-  const RigidBody both = stuck_together(rigid_body(state, one), rigid_body(state, other), state);
-  put_back(both, state);
-  const Sums after = sums(state);
-  EXPECT_EQ(both.members.size(), state.size());
-  EXPECT_LT(norm(after.momentum - before.momentum), 1e-11 * norm(before.momentum));
-  EXPECT_LT(norm(after.L - before.L), 1e-8 * norm(before.L));
-}
-
-/// A large body and a small one beside it, both stressed; the first so many particles are `large`.
+/// A large body and a small one beside it, both stressed.
 struct Pair {
   State state = spinning_body({30, 20, 20}, {1e-4, 2e-4, 0}, {0.05, 0, 0});
   Clump large = everything(state), small;
@@ -123,6 +106,19 @@ struct Pair {
       state.S[i] = {2, -1, -1, 0.1 * static_cast<double>(i % 7), 0, 0.3};
   }
 };
+
+TEST(RigidBody, StuckToAnotherKeepsMassMomentumAndAngularMomentum) {
+  Pair pair;
+  State& state = pair.state;
+  const Sums before = sums(state);
+  const RigidBody both =
+      stuck_together(rigid_body(state, pair.large), rigid_body(state, pair.small), state);
+  put_back(both, state);
+  const Sums after = sums(state);
+  EXPECT_EQ(both.members.size(), state.size());
+  EXPECT_LT(norm(after.momentum - before.momentum), 1e-11 * norm(before.momentum));
+  EXPECT_LT(norm(after.L - before.L), 1e-8 * norm(before.L));
+}
 
 TEST(RigidBody, StuckToAnotherAfterBothHaveTurnedLeavesEveryParticleWhereItWas) {
   Pair pair;
