@@ -15,6 +15,7 @@
 #include "db/settings.hpp"
 #include "solver/base/disk.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
 #include "solver/base/version.hpp"
 #include "solver/io/snapshot.hpp"
 
@@ -148,13 +149,9 @@ class Examination {
 
   /// What writers that were killed left half written.
   void remove_leftovers(const fs::path& folder) {
-    std::error_code missing;
-    for (const auto& entry : fs::directory_iterator(folder, missing)) {
-      const std::string name = entry.path().filename();
-      if (name.front() != '.' || entry.path().extension() != ".tmp") continue;
-      find_mendable(fmt::format("{} was left half written", entry.path().string()), "removed",
-                    [&] { fs::remove(entry.path()); });
-    }
+    for (const fs::path& half : half_written_files(folder))
+      find_mendable(fmt::format("{} was left half written", half.string()), "removed",
+                    [&] { fs::remove(half); });
   }
 
   /// Directories that belong to no job.

@@ -7,6 +7,7 @@
 
 #include "campaign/provenance.hpp"
 #include "campaign/verdict.hpp"
+#include "campaign/worker_lock.hpp"
 #include "db/error.hpp"
 #include "db/settings.hpp"
 #include "solver/base/error.hpp"
@@ -36,6 +37,12 @@ std::vector<fs::path> disks_of(const db::Connection& connection, const JobFolder
 std::optional<double> particle_steps(const JobDirectory& directory) {
   const auto progress = read_progress(directory);
   return progress ? std::optional(progress->particle_steps) : std::nullopt;
+}
+
+/// What a manager or a worker left that was killed while it wrote.
+void remove_half_written(const JobDirectory& directory) {
+  if (WorkerLock::held(directory)) return;  // they may be of a writer at work
+  for (const fs::path& half : half_written_files(directory.path)) fs::remove(half);
 }
 
 /// A result that another solver version made is kept, under its version's name.
@@ -181,6 +188,7 @@ bool Manager::prepare(const db::Job& job) {
     for (const fs::path& old :
          {directory.failure(), directory.ended(), directory.stop(), directory.heartbeat()})
       fs::remove(old);
+    remove_half_written(directory);
     install_text(directory.scene(), db::scene(connection_, job.id) + "\n");
     return true;
   } catch (const DiskFullError& error) {
@@ -255,6 +263,7 @@ void Manager::settle(const Running& run, const std::optional<WorkerEnd>& end) {
   Attempt attempt{end, read_ended(directory), particle_steps(directory), 0, run.over_wall_limit};
   if (run.at_work)
     attempt.wall_s = std::chrono::duration<double>(Clock::now() - *run.at_work).count();
+  remove_half_written(directory);
   kill_point("manager.before-commit");
   const db::JobState state = commit(connection_, run.job, verdict, attempt);
   kill_point("manager.after-commit");

@@ -96,6 +96,15 @@ void install_text(const fs::path& path, std::string_view text, const fs::path& p
   install_file(path, write, previous);
 }
 
+std::vector<fs::path> half_written_files(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(folder, missing))
+    if (entry.path().filename().string().starts_with('.') && entry.path().extension() == ".tmp")
+      found.push_back(entry.path());
+  return found;
+}
+
 void replace_file(const fs::path& from, const fs::path& to) {
   rename_file(from, to);
   sync_path(folder_of(to), O_RDONLY | O_DIRECTORY);

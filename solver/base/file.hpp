@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace eerie {
 
@@ -22,6 +23,10 @@ void install_file(const std::filesystem::path& path,
 /// install_file for text that is at hand.
 void install_text(const std::filesystem::path& path, std::string_view text,
                   const std::filesystem::path& previous = {});
+
+/// The temporary files of install_file in a folder: of a writer at work, or of one that was killed.
+/// None where the folder cannot be read.
+std::vector<std::filesystem::path> half_written_files(const std::filesystem::path& folder);
 
 /// Renames `from` over `to` in the same folder, and has the disk know. Throws EnvironmentError.
 void replace_file(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -240,6 +240,39 @@ TEST_F(ManagerOn, ARunningJobWithoutAWorkerStartsItAgainWithoutBlame) {
   EXPECT_EQ(db::jobs(connection, {}).at(0).crashes, 0);
 }
 
+TEST_F(ManagerOn, HalfWrittenFilesOfTheKilledRemovesThem) {
+  const auto leave_half = [&](const Scene& scene, const char* name) {
+    std::filesystem::create_directories(directory(scene).path);
+    std::ofstream(directory(scene).path / name) << "ha";
+  };
+  leave_half(scenes[0], ".scene.json.77.tmp");  // a manager's, of a job still pending
+  test::install_result(directory(scenes[1]), scenes[1]);
+  leave_half(scenes[1], ".ended.json.78.tmp");  // a worker's, whose job was done
+  ScriptedWorkers workers({});
+  EXPECT_EQ(work(workers).done, 3u);
+  for (const Scene& scene : scenes)
+    EXPECT_THAT(half_written_files(directory(scene).path), testing::IsEmpty());
+}
+
+TEST_F(ManagerOn, HalfWrittenFilesOfAWorkerAtWorkLeavesThemAlone) {
+  std::filesystem::create_directories(directory(scenes[0]).path);
+  const auto half = directory(scenes[0]).path / ".checkpoint.hdf5.77.tmp";
+  std::ofstream(half) << "ha";
+  auto at_work = std::make_unique<WorkerLock>(directory(scenes[0]));
+  ScriptedWorkers workers({});
+  Manager manager(connection, workers, {.sweep = sweep});
+  bool was_there = true;
+  manager.run([] { return 0; },
+              [&](const CampaignView& view) {
+                if (view.done < 2 || !at_work) return;
+                was_there = std::filesystem::exists(half);
+                test::install_result(directory(scenes[0]), scenes[0]);
+                at_work.reset();
+              });
+  EXPECT_TRUE(was_there);
+  EXPECT_FALSE(std::filesystem::exists(half));
+}
+
 TEST_F(ManagerOn, AWorkerLeftBehindByAnotherManagerIsWaitedForAndNotDoubled) {
   const Scene& scene = scenes[0];
   std::filesystem::create_directories(directory(scene).path);

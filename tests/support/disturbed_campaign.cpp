@@ -78,7 +78,7 @@ void DisturbedCampaign::expect_whole() const {
     EXPECT_LE(times(read_file(job / "log.txt"), " info done: "), 1)
         << job << " ran twice to its end";
   EXPECT_EQ(outcomes(database()), calm_outcomes(jobs_, end_time_s_));
-  const Ended doctor = eerie(folder_, {"doctor", "--fix"});
+  const Ended doctor = eerie(folder_, {"doctor"});
   EXPECT_EQ(doctor.code, 0) << doctor.out;
 }
 
