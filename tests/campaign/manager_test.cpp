@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <deque>
+#include <fstream>
 
 #include "campaign/job.hpp"
 #include "campaign/worker.hpp"
@@ -10,6 +11,7 @@
 #include "db/control.hpp"
 #include "db/query.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
 #include "solver/base/sha256.hpp"
 #include "tests/campaign/job_files.hpp"
 #include "tests/io/snapshot_fixture.hpp"
