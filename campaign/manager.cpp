@@ -42,7 +42,11 @@ std::optional<double> particle_steps(const JobDirectory& directory) {
 /// What a manager or a worker left that was killed while it wrote.
 void remove_half_written(const JobDirectory& directory) {
   if (WorkerLock::held(directory)) return;  // they may be of a writer at work
-  for (const fs::path& half : half_written_files(directory.path)) fs::remove(half);
+  for (const fs::path& half : half_written_files(directory.path)) {
+    std::error_code error;
+    if (fs::remove(half, error); error)  // no reason to stop a campaign
+      spdlog::warn("event=litter file=\"{}\" reason=\"{}\"", half.string(), error.message());
+  }
 }
 
 /// A result that another solver version made is kept, under its version's name.
