@@ -76,7 +76,7 @@ sanitize: packages-test  ## unit and fault tests under ASan and UBSan, those of 
 fuzz: packages-fuzz  ## throw mutated files at every reader, FUZZ_SECONDS (60) each; needs clang
 	@cmake -S . -B $(BUILD)-fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DEERIE_FUZZERS=ON > /dev/null
 	@cmake --build $(BUILD)-fuzz -j $(JOBS)
-	@grep -oh '"[A-Za-z_0-9.-]*"' solver/scene/scene.schema.json campaign/sweep.schema.json | sort -u > $(BUILD)-fuzz/words.dict
+	@grep -oh '"[A-Za-z_0-9.-]*"' solver/scene/scene.schema.json campaign/sweeps/sweep.schema.json | sort -u > $(BUILD)-fuzz/words.dict
 	@for reader in sweep scene result checkpoint catalogue; do \
 	  mkdir -p $(BUILD)-fuzz/corpus/$$reader && \
 	  $(BUILD)-fuzz/tests/fuzz/fuzz_$$reader -max_total_time=$(FUZZ_SECONDS) -timeout=20 -rss_limit_mb=4096 \

@@ -1,5 +1,5 @@
 #include "campaign/cli/cli.hpp"
-#include "campaign/cpu.hpp"
+#include "campaign/process/cpu.hpp"
 
 #ifdef __AVX2__
 constexpr bool avx2 = true;
@@ -23,6 +23,6 @@ constexpr bool avx512vbmi2 = false;
 #endif
 
 int main(int argc, char** argv) {
-  eerie::require_cpu(avx2, fma, avx512f, avx512vbmi2);
+  eerie::process::require_cpu(avx2, fma, avx512f, avx512vbmi2);
   return eerie::cli::main(argc, argv);
 }

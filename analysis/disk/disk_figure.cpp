@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/gnuplot.hpp"
+#include "analysis/drawing/gnuplot.hpp"
 
 namespace eerie::disk {
 
@@ -245,7 +245,8 @@ std::string disk_script(const DiskFigure& figure) {
 }
 
 void draw_disk(const std::filesystem::path& path, const DiskFigure& figure) {
-  run_gnuplot(gnuplot_terminal(path, width_pt, height_pt) + disk_script(figure), path);
+  drawing::run_gnuplot(drawing::gnuplot_terminal(path, width_pt, height_pt) + disk_script(figure),
+                       path);
 }
 
 }  // namespace eerie::disk

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/base/constants.hpp"
+#include "solver/base/sphere.hpp"
 
 namespace eerie::disk {
 
@@ -15,14 +16,10 @@ double alpha_at_speed(const Nebula& n, const Drag& drag, double speed) {
   return mach * mach * n.omega_k * drag.stopping_time / 3;
 }
 
-double escape_velocity(double radius, double density) {
-  return radius * std::sqrt(8 * pi / 3 * newton_G * density);
-}
-
 double stirred_speed(const Nebula& n, const Drag& drag, const Stirrers& s, double radius) {
   const double sigma = s.solid_fraction * n.solid_surface_density;
   return std::pow(drag.stopping_time * n.omega_k * sigma / (s.density * radius), 0.25) *
-         escape_velocity(radius, s.density);
+         escape_speed({radius, s.density});
 }
 
 double stirrer_radius_at_speed(const Nebula& n, const Drag& drag, const Stirrers& s, double speed) {

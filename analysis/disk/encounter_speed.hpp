@@ -21,9 +21,6 @@ struct Stirrers {
   double density = 2700;         ///< kg/m^3
 };
 
-/// Escape velocity from the surface of a sphere, m/s.
-double escape_velocity(double radius, double density);
-
 /// Relative speed (m/s) at which stirring by bodies of radius `radius` (m) and drag balance:
 /// (t_s Omega Sigma / (rho_s R))^(1/4) v_esc, Sugiura et al. (2019), Eq. (10).
 double stirred_speed(const Nebula& nebula, const Drag& drag, const Stirrers& stirrers,

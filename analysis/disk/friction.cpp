@@ -4,22 +4,18 @@
 
 #include "analysis/disk/encounter_speed.hpp"
 #include "solver/base/constants.hpp"
+#include "solver/base/sphere.hpp"
 
 namespace eerie::disk {
 
 double friction_coefficient(double phi_d) { return std::tan(phi_d); }
 
-double central_pressure(double radius, double density) {
-  const double column = radius * density;
-  return 2 * pi / 3 * newton_G * column * column;
-}
-
 double dissipated_energy(double radius, double density, double displacement, double mu_d) {
-  return pi * radius * radius * displacement * mu_d * central_pressure(radius, density);
+  return pi * radius * radius * displacement * mu_d * central_pressure({radius, density});
 }
 
 double gathering_energy(double radius, double density) {
-  const double v_esc = escape_velocity(radius, density);
+  const double v_esc = escape_speed({radius, density});
   return 0.5 * density * sphere_volume(radius) * v_esc * v_esc;
 }
 

@@ -5,10 +5,6 @@ namespace eerie::disk {
 /// mu_d = tan(phi_d), phi_d in rad.
 double friction_coefficient(double phi_d);
 
-/// Pressure in the middle of a sphere of uniform density, Pa:
-/// 2/3 pi G rho^2 R^2, Sugiura et al. (2019), Eq. (3).
-double central_pressure(double radius, double density);
-
 /// What friction takes while fragments move by `displacement` (m) over the surface of a remnant of
 /// mean radius `radius` (m), J: pi R^2 L mu_d p_c, Sugiura et al. (2019), Eq. (3).
 double dissipated_energy(double radius, double density, double displacement, double mu_d);

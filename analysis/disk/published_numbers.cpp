@@ -9,6 +9,7 @@
 #include "analysis/disk/friction.hpp"
 #include "analysis/disk/roche.hpp"
 #include "solver/base/constants.hpp"
+#include "solver/base/sphere.hpp"
 
 namespace eerie::disk {
 
@@ -101,7 +102,7 @@ void add_bodies(Numbers& list) {
   constexpr double target = 50, rho = 2700, cohesion = 1000, quoted_pressure = 10;
   constexpr double jupiter_distance = 5.2044 * astronomical_unit, jupiter_radius = 7.1492e7;
   constexpr double jupiter_mass = 1 / 1047.35;  // of the Sun's
-  const double p_c = central_pressure(target, rho);
+  const double p_c = central_pressure({target, rho});
   list.insert(
       list.end(),
       {{"slowest useful impact over 10 km/s", "1", "sec. 4", 1e-5, 1, slow / 1e4, {}},

@@ -9,7 +9,7 @@
 #include "analysis/flight/spheres.hpp"
 #include "solver/base/constants.hpp"
 
-namespace eerie {
+namespace eerie::flight {
 
 namespace {
 
@@ -25,12 +25,14 @@ constexpr int parts = 16;
 
 class Flying {
  public:
-  Flying(State&& state, const FlightPlan& plan)
+  Flying(particles::State&& state, const FlightPlan& plan)
       : plan_(plan),
         state_(std::move(state)),
-        contact_(std::min(contact_in_spacings * plan.spacing, linking_length_over_h * state_.h)),
+        contact_(std::min(contact_in_spacings * plan.spacing,
+                          remnants::linking_length_over_h * state_.h)),
         gravity_({state_.mass, state_.h, plan.opening_angle}, plan.heavy) {
-    for (Clump& clump : friends_of_friends(state_.x, state_.id, linking_length_over_h * state_.h))
+    for (remnants::Clump& clump : remnants::friends_of_friends(
+             state_.x, state_.id, remnants::linking_length_over_h * state_.h))
       bodies_.push_back(rigid_body(state_, std::move(clump)));
     gravity_.take(bodies_, state_.id);
     pulls_ = gravity_.pulls(bodies_);
@@ -139,14 +141,14 @@ class Flying {
     has_landed_ = true;
   }
 
-  State as_particles() const {
-    State state = state_;
+  particles::State as_particles() const {
+    particles::State state = state_;
     for (const RigidBody& body : bodies_) put_back(body, state);
     return state;
   }
 
   const FlightPlan& plan_;
-  State state_;
+  particles::State state_;
   double contact_;  ///< m
   std::vector<RigidBody> bodies_;
   Spheres spheres_;  ///< of the bodies
@@ -158,6 +160,8 @@ class Flying {
 
 }  // namespace
 
-Flight fly(State state, const FlightPlan& plan) { return Flying(std::move(state), plan).go(); }
+Flight fly(particles::State state, const FlightPlan& plan) {
+  return Flying(std::move(state), plan).go();
+}
 
-}  // namespace eerie
+}  // namespace eerie::flight

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace eerie {
+namespace eerie::flight {
 
 namespace {
 
@@ -14,7 +14,7 @@ void sort_members(RigidBody& body, const std::vector<std::uint32_t>& id) {
   std::vector<std::uint32_t> ids;
   ids.reserve(body.members.size());
   for (const std::uint32_t i : body.members) ids.push_back(id[i]);
-  body.reorder(kd_order(body.offsets, ids));
+  body.reorder(tree::kd_order(body.offsets, ids));
   body.in_kd_order = true;
 }
 
@@ -22,8 +22,8 @@ void sort_members(RigidBody& body, const std::vector<std::uint32_t>& id) {
 
 MutualGravity::Crowd MutualGravity::crowd(std::vector<Member> members, bool is_one_body) const {
   const std::size_t n = members.size();
-  return {std::move(members), std::vector<Vec3>(n), std::vector<Vec3>(n),
-          KdTree(n),          Gravity(parameters_), is_one_body};
+  return {std::move(members), std::vector<Vec3>(n),       std::vector<Vec3>(n),
+          tree::KdTree(n),    tree::Gravity(parameters_), is_one_body};
 }
 
 void MutualGravity::take(std::vector<RigidBody>& bodies, const std::vector<std::uint32_t>& id) {
@@ -55,7 +55,7 @@ void MutualGravity::sort_light_ones(const std::vector<RigidBody>& bodies) {
   }
   std::vector<Member> sorted;
   sorted.reserve(members.size());
-  for (const std::uint32_t k : kd_order(x, ids)) sorted.push_back(members[k]);
+  for (const std::uint32_t k : tree::kd_order(x, ids)) sorted.push_back(members[k]);
   members = std::move(sorted);
 }
 
@@ -83,4 +83,4 @@ std::vector<Pull> MutualGravity::pulls(const std::vector<RigidBody>& bodies) {
   return pulls;
 }
 
-}  // namespace eerie
+}  // namespace eerie::flight

@@ -7,7 +7,7 @@
 #include "solver/tree/gravity.hpp"
 #include "solver/tree/kd_tree.hpp"
 
-namespace eerie {
+namespace eerie::flight {
 
 /// Force on a body, N, and torque about its centre of mass, N m.
 struct Pull {
@@ -20,7 +20,7 @@ struct Pull {
 class MutualGravity {
  public:
   /// `heavy`: from this mass on a body counts as heavy, kg.
-  MutualGravity(const Gravity::Parameters& parameters, double heavy)
+  MutualGravity(const tree::Gravity::Parameters& parameters, double heavy)
       : parameters_(parameters), heavy_(heavy) {}
 
   /// To be called first, and whenever bodies have changed by more than motion; puts the members of
@@ -39,18 +39,18 @@ class MutualGravity {
   struct Crowd {
     std::vector<Member> members;
     std::vector<Vec3> x, g;
-    KdTree tree;
-    Gravity gravity;
+    tree::KdTree tree;
+    tree::Gravity gravity;
     bool is_one_body;
   };
   Crowd crowd(std::vector<Member> members, bool is_one_body) const;
   void sort_light_ones(const std::vector<RigidBody>& bodies);
 
-  Gravity::Parameters parameters_;
+  tree::Gravity::Parameters parameters_;
   double heavy_;
   std::vector<Crowd> crowds_;
   std::vector<std::uint32_t> id_;  ///< of the state's particles
   long evaluations_ = 0;
 };
 
-}  // namespace eerie
+}  // namespace eerie::flight

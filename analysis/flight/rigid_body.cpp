@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace eerie {
+namespace eerie::flight {
 
 namespace {
 
@@ -46,7 +46,7 @@ Vec3 spin(const SymTensor& I, const Vec3& L) {
   return {omega.x(), omega.y(), omega.z()};
 }
 
-void turn_stress(const Clump& members, const Mat3& rotation, State& state) {
+void turn_stress(const remnants::Clump& members, const Mat3& rotation, particles::State& state) {
   for (const std::uint32_t i : members) state.S[i] = turned(state.S[i], rotation);
 }
 
@@ -84,7 +84,7 @@ bool is_near(const Vec3& place, const RigidBody& body, double contact) {
 
 }  // namespace
 
-Vec3 RigidBody::angular_velocity() const { return spin(eerie::turned(inertia, turned), L); }
+Vec3 RigidBody::angular_velocity() const { return spin(flight::turned(inertia, turned), L); }
 
 void RigidBody::drift(double duration) {
   x += duration * v;
@@ -94,7 +94,7 @@ void RigidBody::drift(double duration) {
 }
 
 void RigidBody::reorder(const std::vector<std::uint32_t>& order) {
-  const Clump old_members = members;
+  const remnants::Clump old_members = members;
   const std::vector<Vec3> old_offsets = offsets;
   for (std::size_t k = 0; k < order.size(); ++k)
     members[k] = old_members[order[k]], offsets[k] = old_offsets[order[k]];
@@ -112,7 +112,7 @@ bool touch(const RigidBody& one, const RigidBody& other, double contact) {
   return false;
 }
 
-RigidBody rigid_body(const State& state, Clump members) {
+RigidBody rigid_body(const particles::State& state, remnants::Clump members) {
   RigidBody body;
   body.members = std::move(members);
   const auto n = static_cast<double>(body.members.size());
@@ -127,7 +127,7 @@ RigidBody rigid_body(const State& state, Clump members) {
   return body;
 }
 
-RigidBody stuck_together(RigidBody one, RigidBody other, State& state) {
+RigidBody stuck_together(RigidBody one, RigidBody other, particles::State& state) {
   if (one.members.size() < other.members.size()) std::swap(one, other);
   const double mass = one.mass + other.mass;
   const Vec3 x = (one.mass * one.x + other.mass * other.x) / mass;
@@ -148,7 +148,7 @@ RigidBody stuck_together(RigidBody one, RigidBody other, State& state) {
   return one;
 }
 
-void put_back(const RigidBody& body, State& state) {
+void put_back(const RigidBody& body, particles::State& state) {
   const Vec3 omega = body.angular_velocity();
   for (std::size_t k = 0; k < body.members.size(); ++k) {
     const std::uint32_t i = body.members[k];
@@ -159,4 +159,4 @@ void put_back(const RigidBody& body, State& state) {
   turn_stress(body.members, body.turned, state);
 }
 
-}  // namespace eerie
+}  // namespace eerie::flight

@@ -2,17 +2,17 @@
 
 #include <vector>
 
-#include "analysis/clumps.hpp"
+#include "analysis/remnants/clumps.hpp"
 #include "solver/base/box.hpp"
 #include "solver/base/tensor.hpp"
 #include "solver/particles/state.hpp"
 
-namespace eerie {
+namespace eerie::flight {
 
 /// A clump that moves as one rigid piece, SI. Its particles are `members` of a state; each stays at
 /// x + R offset. Momentum and angular momentum are those of the particles that it was made of.
 struct RigidBody {
-  Clump members;
+  remnants::Clump members;
   std::vector<Vec3> offsets;       ///< from the centre of mass, as they were when it was made, m
   SymTensor inertia;               ///< about the centre of mass, as it was then, kg m^2
   double mass = 0, radius = 0;     ///< radius: of the sphere about x that holds all members
@@ -48,15 +48,15 @@ struct RigidBody {
 bool touch(const RigidBody& one, const RigidBody& other, double contact);
 
 /// The members of a state as one rigid body.
-RigidBody rigid_body(const State& state, Clump members);
+RigidBody rigid_body(const particles::State& state, remnants::Clump members);
 
 /// What two bodies are once they stick: the same mass, centre, momentum and angular momentum, less
 /// the energy of their relative motion. Its frame is that of the larger one, into which the
 /// stresses of the other one's particles are turned.
-RigidBody stuck_together(RigidBody one, RigidBody other, State& state);
+RigidBody stuck_together(RigidBody one, RigidBody other, particles::State& state);
 
 /// Gives the particles of a body the places and velocities of its rigid motion, and turns their
 /// stresses by as much as the body has turned since it was made.
-void put_back(const RigidBody& body, State& state);
+void put_back(const RigidBody& body, particles::State& state);
 
-}  // namespace eerie
+}  // namespace eerie::flight

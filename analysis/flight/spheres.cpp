@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace eerie {
+namespace eerie::flight {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::size_t Spheres::next_within(double contact, std::size_t k, std::size_t last
   return x_.size();
 }
 
-}  // namespace eerie
+}  // namespace eerie::flight

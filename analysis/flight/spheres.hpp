@@ -4,7 +4,7 @@
 
 #include "analysis/flight/rigid_body.hpp"
 
-namespace eerie {
+namespace eerie::flight {
 
 /// The spheres around bodies, side by side: most pairs are found to be far apart without a look at
 /// the bodies themselves, of which there may be thousands.
@@ -20,4 +20,4 @@ class Spheres {
   std::vector<double> x_, y_, z_, radius_;  ///< m
 };
 
-}  // namespace eerie
+}  // namespace eerie::flight

@@ -9,7 +9,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 
-namespace eerie {
+namespace eerie::light_curve {
 
 namespace {
 
@@ -23,7 +23,7 @@ double fineness(std::size_t particles) {
 }  // namespace
 
 SpinningBody spinning_body(std::span<const Vec3> x, double radius) {
-  SpinningBody body{{}, radius, ellipsoid_of_inertia(x)};
+  SpinningBody body{{}, radius, shapes::ellipsoid_of_inertia(x)};
   if (!body.shape.degenerate.empty())
     throw InputError("it has no light curve: " + body.shape.degenerate);
   Vec3 centre;
@@ -41,12 +41,12 @@ Vec3 line_of_sight(double aspect, double phase) {
   return {std::sin(aspect) * std::cos(phase), std::sin(aspect) * std::sin(phase), std::cos(aspect)};
 }
 
-double ellipsoid_shadow(const Shape& shape, const Vec3& along) {
+double ellipsoid_shadow(const shapes::Shape& shape, const Vec3& along) {
   const double a = shape.a / 2, b = shape.b / 2, c = shape.c / 2;
   return pi * norm(Vec3{b * c * along.x, a * c * along.y, a * b * along.z});
 }
 
-double ellipsoid_amplitude(const Shape& shape, double aspect) {
+double ellipsoid_amplitude(const shapes::Shape& shape, double aspect) {
   return 2.5 * std::log10(ellipsoid_shadow(shape, line_of_sight(aspect, pi / 2)) /
                           ellipsoid_shadow(shape, line_of_sight(aspect, 0)));
 }
@@ -105,4 +105,4 @@ std::string amplitudes_csv(std::span<const AspectAmplitude> amplitudes) {
   return text;
 }
 
-}  // namespace eerie
+}  // namespace eerie::light_curve

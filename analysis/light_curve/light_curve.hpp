@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/shape.hpp"
+#include "analysis/shapes/shape.hpp"
 
-namespace eerie {
+namespace eerie::light_curve {
 
 /// Largest amplitude of 1I/'Oumuamua, mag (Meech et al. 2017, Nature 552, 378).
 inline constexpr double oumuamua_amplitude_mag = 2.5;
@@ -21,7 +21,7 @@ inline constexpr std::size_t light_curve_phases = 120;
 struct SpinningBody {
   std::vector<Vec3> x;  ///< of the particles, m, along the principal axes a, b, c
   double radius = 0;    ///< of a particle, m
-  Shape shape;          ///< ellipsoid of inertia
+  shapes::Shape shape;  ///< ellipsoid of inertia
 };
 
 /// Throws InputError for points without a volume, which have no axes to turn about.
@@ -33,11 +33,11 @@ Vec3 line_of_sight(double aspect, double phase);
 
 /// Shadow of an ellipsoid along a unit vector in its principal axes, m^2: pi sqrt(sum of (B C
 /// n_a)^2 and its like), A, B, C half of shape.a, b, c (e.g. Connelly & Ostro 1984).
-double ellipsoid_shadow(const Shape& shape, const Vec3& along);
+double ellipsoid_shadow(const shapes::Shape& shape, const Vec3& along);
 
 /// Its amplitude in closed form, mag: 1.25 log10 of the ratio of the squared shadows at phases of
 /// 90 and 0 degrees; 2.5 log10(a/b) seen equator-on.
-double ellipsoid_amplitude(const Shape& shape, double aspect);
+double ellipsoid_amplitude(const shapes::Shape& shape, double aspect);
 
 /// One rotation.
 struct LightCurve {
@@ -68,4 +68,4 @@ std::string amplitudes_csv(std::span<const AspectAmplitude> amplitudes);
 /// Magnitudes by which something is fainter than the brightest.
 double magnitude_of(double brightness, double brightest);
 
-}  // namespace eerie
+}  // namespace eerie::light_curve

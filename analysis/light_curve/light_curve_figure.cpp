@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/gnuplot.hpp"
+#include "analysis/drawing/gnuplot.hpp"
 #include "solver/base/constants.hpp"
 
-namespace eerie {
+namespace eerie::light_curve {
 
 namespace {
 
@@ -87,7 +87,8 @@ std::string light_curve_script(const LightCurveFigure& figure) {
 }
 
 void draw_light_curve(const std::filesystem::path& path, const LightCurveFigure& figure) {
-  run_gnuplot(gnuplot_terminal(path, width_pt, height_pt) + light_curve_script(figure), path);
+  drawing::run_gnuplot(
+      drawing::gnuplot_terminal(path, width_pt, height_pt) + light_curve_script(figure), path);
 }
 
-}  // namespace eerie
+}  // namespace eerie::light_curve

@@ -6,7 +6,7 @@
 
 #include "analysis/light_curve/light_curve.hpp"
 
-namespace eerie {
+namespace eerie::light_curve {
 
 struct LightCurveFigure {
   LightCurve curve;
@@ -21,4 +21,4 @@ void draw_light_curve(const std::filesystem::path& path, const LightCurveFigure&
 /// gnuplot's commands for it, terminal apart.
 std::string light_curve_script(const LightCurveFigure& figure);
 
-}  // namespace eerie
+}  // namespace eerie::light_curve

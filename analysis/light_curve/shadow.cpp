@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace eerie {
+namespace eerie::light_curve {
 
 namespace {
 
@@ -91,4 +91,4 @@ double shadow_area(std::span<const Vec3> x, double radius, const Vec3& along,
   return raster.black() * pixel * pixel / columns_per_row;
 }
 
-}  // namespace eerie
+}  // namespace eerie::light_curve

@@ -4,7 +4,7 @@
 
 #include "solver/base/vec3.hpp"
 
-namespace eerie {
+namespace eerie::light_curve {
 
 /// How finely shadows are cut: rows of pixels in the radius of a particle. The area of one disc is
 /// then true to half a per cent, that of the shadow of a body, where only the outline counts,
@@ -18,4 +18,4 @@ inline constexpr double shadow_pixels_per_radius = 12;
 double shadow_area(std::span<const Vec3> x, double radius, const Vec3& along,
                    double pixels_per_radius = shadow_pixels_per_radius);
 
-}  // namespace eerie
+}  // namespace eerie::light_curve

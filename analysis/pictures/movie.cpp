@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 #include <stdlib.h>
 
-#include "analysis/tool.hpp"
+#include "analysis/drawing/tool.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
-namespace eerie {
+namespace eerie::pictures {
 namespace fs = std::filesystem;
 
 namespace {
 
-const Tool ffmpeg{"ffmpeg", "makes the films", "ffmpeg"};
+const drawing::Tool ffmpeg{"ffmpeg", "makes the films", "ffmpeg"};
 
 /// Removed with all that is in it.
 class ScratchFolder {
@@ -51,7 +51,7 @@ std::vector<std::string> encoding(const fs::path& path) {
 void require_movie(const fs::path& path) {
   if (path.extension() != ".mp4" && path.extension() != ".gif")
     throw InputError(fmt::format("{}: a film can be .mp4 or .gif", path.string()));
-  require_tool(ffmpeg);
+  drawing::require_tool(ffmpeg);
 }
 
 void make_movie(const fs::path& path, std::size_t frames, double frames_per_s,
@@ -68,10 +68,10 @@ void make_movie(const fs::path& path, std::size_t frames, double frames_per_s,
                                       "-i",         (scratch.path / "frame_%06d.png").string()};
     for (const std::string& word : encoding(path)) words.push_back(word);
     words.push_back(temporary.string());
-    const ToolEnd end = run_tool(ffmpeg, words);
+    const drawing::ToolEnd end = drawing::run_tool(ffmpeg, words);
     if (!end.well || fs::file_size(temporary) == 0)
       throw EnvironmentError(fmt::format("ffmpeg could not make {}: {}", path.string(), end.words));
   });
 }
 
-}  // namespace eerie
+}  // namespace eerie::pictures

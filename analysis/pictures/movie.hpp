@@ -5,7 +5,7 @@
 
 #include "analysis/pictures/panels_figure.hpp"
 
-namespace eerie {
+namespace eerie::pictures {
 
 /// Throws InputError where the extension is neither .mp4 nor .gif, and EnvironmentError where
 /// ffmpeg is not installed (with the package to install): before anything is computed.
@@ -18,4 +18,4 @@ void require_movie(const std::filesystem::path& path);
 void make_movie(const std::filesystem::path& path, std::size_t frames, double frames_per_s,
                 const std::function<PanelsFigure(std::size_t frame)>& figure);
 
-}  // namespace eerie
+}  // namespace eerie::pictures

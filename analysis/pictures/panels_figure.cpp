@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/canvas.hpp"
-#include "analysis/gnuplot.hpp"
+#include "analysis/drawing/canvas.hpp"
+#include "analysis/drawing/gnuplot.hpp"
 #include "solver/base/error.hpp"
 
-namespace eerie {
+namespace eerie::pictures {
 
 namespace {
 
@@ -19,7 +19,7 @@ constexpr std::size_t most_in_column = 3, most_in_row = 5;
 constexpr double border = 3, gap = 3, stamp_height = 11, strip_height = 30;
 constexpr double longest_scale_bar = 90;
 constexpr int pixels_per_point = 5;
-constexpr Colour ink{0x22, 0x22, 0x22}, frame_grey{0x99, 0x99, 0x99};
+constexpr drawing::Colour ink{0x22, 0x22, 0x22}, frame_grey{0x99, 0x99, 0x99};
 
 /// Where things are on the page.
 struct Page {
@@ -35,7 +35,7 @@ struct Page {
     height = static_cast<double>(rows) * (panel + stamp_height) + strip_height;
   }
 
-  Area area(std::size_t k) const {
+  drawing::Area area(std::size_t k) const {
     const std::size_t rows_above = k / columns;
     const auto column = static_cast<double>(k % columns), row = static_cast<double>(rows_above);
     const double top = height - stamp_height - row * (panel + stamp_height);
@@ -58,7 +58,7 @@ double round_length(double length) {
   return (length >= 5 * decade ? 5 : length >= 2 * decade ? 2 : 1) * decade;
 }
 
-void draw_scale_bar(Canvas& canvas, const Page& page, double frame_width) {
+void draw_scale_bar(drawing::Canvas& canvas, const Page& page, double frame_width) {
   const double longest = std::min(0.45 * page.panel, longest_scale_bar);
   const double length = round_length(longest / page.panel * frame_width);
   const double width = page.panel * length / frame_width, y = 14;
@@ -68,9 +68,9 @@ void draw_scale_bar(Canvas& canvas, const Page& page, double frame_width) {
               {.size = 6.5, .colour = ink});
 }
 
-void draw_swatch(Canvas& canvas, double x, Colour colour, const char* words) {
+void draw_swatch(drawing::Canvas& canvas, double x, drawing::Colour colour, const char* words) {
   canvas.fill({{x, 10}, {x + 7, 17}}, colour);
-  canvas.text({x + 10, 13.5}, words, {.size = 6.5, .colour = ink, .align = Align::left});
+  canvas.text({x + 10, 13.5}, words, {.size = 6.5, .colour = ink, .align = drawing::Align::left});
 }
 
 constexpr double bar_width = 110, bar_height = 6, bar_bottom = 12;
@@ -81,7 +81,7 @@ std::string in_unit(const ColourScale& scale, double value) {
   return fmt::format("{:g}", scale.colour == ParticleColour::speed ? 100 * value : value);
 }
 
-void draw_colour_bar(Canvas& canvas, const Page& page, const ColourScale& scale) {
+void draw_colour_bar(drawing::Canvas& canvas, const Page& page, const ColourScale& scale) {
   const double left = bar_left(page);
   canvas.outline({{left, bar_bottom}, {left + bar_width, bar_bottom + bar_height}}, ink, 0.4);
   for (const double part : {0.0, 0.5, 1.0})
@@ -95,19 +95,19 @@ void draw_colour_bar(Canvas& canvas, const Page& page, const ColourScale& scale)
       {.size = 6.5, .colour = ink});
 }
 
-void draw_words(Canvas& canvas, const Page& page, const PanelsFigure& figure) {
+void draw_words(drawing::Canvas& canvas, const Page& page, const PanelsFigure& figure) {
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
-    const Area area = page.area(k);
+    const drawing::Area area = page.area(k);
     const Panel& panel = figure.panels[k];
     // Images lie before lines: the frame is drawn round them.
     canvas.outline({{area.low.x - 0.5, area.low.y - 0.5}, {area.high.x + 0.5, area.high.y + 0.5}},
                    frame_grey, 0.5);
     canvas.text({area.low.x + 1, area.high.y + 4.5}, time_stamp(panel.time),
-                {.size = 7, .colour = ink, .align = Align::left});
+                {.size = 7, .colour = ink, .align = drawing::Align::left});
     if (panel.outside > 0)
       canvas.text({area.low.x + 3, area.low.y + 5},
                   fmt::format("{} remnant{} outside", panel.outside, panel.outside > 1 ? "s" : ""),
-                  {.size = 6, .colour = ink, .align = Align::left});
+                  {.size = 6, .colour = ink, .align = drawing::Align::left});
   }
   draw_scale_bar(canvas, page, figure.frame_width);
   if (figure.scale.colour == ParticleColour::body) {
@@ -122,7 +122,7 @@ void draw_words(Canvas& canvas, const Page& page, const PanelsFigure& figure) {
 struct Images {
   std::string command, bytes;
 
-  void add(const Image& image, const Area& area) {
+  void add(const Bitmap& image, const drawing::Area& area) {
     const double dx = area.width() / image.width, dy = area.height() / image.height;
     command += fmt::format(
         "{} '-' binary array=({},{}) format='%uchar' dx={} dy={} origin=({},{}) flipy using 1:2:3 "
@@ -141,7 +141,7 @@ int panel_pixels(std::size_t panels) {
 
 std::string panels_script(const PanelsFigure& figure) {
   const Page page(figure.panels.size());
-  Canvas canvas(page.width, page.height);
+  drawing::Canvas canvas(page.width, page.height);
   draw_words(canvas, page, figure);
   Images images;
   for (std::size_t k = 0; k < figure.panels.size(); ++k)
@@ -162,7 +162,8 @@ std::string panels_script(const PanelsFigure& figure) {
 void draw_panels(const std::filesystem::path& path, const PanelsFigure& figure) {
   if (figure.panels.empty()) throw InputError(path.string() + ": there is nothing to draw");
   const Page page(figure.panels.size());
-  run_gnuplot(gnuplot_terminal(path, page.width, page.height) + panels_script(figure), path);
+  drawing::run_gnuplot(
+      drawing::gnuplot_terminal(path, page.width, page.height) + panels_script(figure), path);
 }
 
-}  // namespace eerie
+}  // namespace eerie::pictures

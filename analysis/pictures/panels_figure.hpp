@@ -6,12 +6,12 @@
 
 #include "analysis/pictures/particle_view.hpp"
 
-namespace eerie {
+namespace eerie::pictures {
 
 /// One moment, drawn.
 struct Panel {
   double time = 0;          ///< s
-  Image image;              ///< panel_pixels() wide and high
+  Bitmap image;             ///< panel_pixels() wide and high
   std::size_t outside = 0;  ///< remnants that the frame does not show
 };
 
@@ -34,4 +34,4 @@ void draw_panels(const std::filesystem::path& path, const PanelsFigure& figure);
 /// gnuplot's commands for it, terminal apart, with the pixels of the panels inside.
 std::string panels_script(const PanelsFigure& figure);
 
-}  // namespace eerie
+}  // namespace eerie::pictures

@@ -8,19 +8,19 @@
 #include <limits>
 #include <numeric>
 
-#include "analysis/clumps.hpp"
-#include "analysis/remnants.hpp"
+#include "analysis/remnants/clumps.hpp"
+#include "analysis/remnants/remnants.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 
-namespace eerie {
+namespace eerie::pictures {
 
 namespace {
 
 constexpr double margin = 1.06;  ///< room about the remnants
 
-std::vector<Clump> clumps_of(const State& state) {
-  return friends_of_friends(state.x, state.id, linking_length_over_h * state.h);
+std::vector<remnants::Clump> clumps_of(const particles::State& state) {
+  return remnants::friends_of_friends(state.x, state.id, remnants::linking_length_over_h * state.h);
 }
 
 /// Smallest of 1, 1.5, 2, 3, 4, 5, 6, 8, 10 times a power of ten that is no less than `value`.
@@ -32,15 +32,15 @@ double rounded_up(double value) {
   return 10 * decade;
 }
 
-Vec3 centre_of_mass(const State& state) {
+Vec3 centre_of_mass(const particles::State& state) {
   Vec3 sum;
   for (const Vec3& x : state.x) sum += x;
   return sum / static_cast<double>(state.size());
 }
 
-std::vector<double> speeds(const State& state) {
+std::vector<double> speeds(const particles::State& state) {
   std::vector<double> speed(state.size());
-  for (const Clump& clump : clumps_of(state)) {
+  for (const remnants::Clump& clump : clumps_of(state)) {
     Vec3 mean;
     for (const std::uint32_t i : clump) mean += state.v[i];
     mean = mean / static_cast<double>(clump.size());
@@ -49,7 +49,7 @@ std::vector<double> speeds(const State& state) {
   return speed;
 }
 
-std::vector<double> colour_values(const State& state, ParticleColour colour,
+std::vector<double> colour_values(const particles::State& state, ParticleColour colour,
                                   std::span<const double> depths) {
   if (colour == ParticleColour::speed) return speeds(state);
   if (colour == ParticleColour::body) return {state.body.begin(), state.body.end()};
@@ -61,7 +61,7 @@ std::vector<double> colour_values(const State& state, ParticleColour colour,
   return values;
 }
 
-SeenBody seen(const State& state, const Clump& clump, double radius) {
+SeenBody seen(const particles::State& state, const remnants::Clump& clump, double radius) {
   const Vec3 first = state.x[clump.front()];
   SeenBody body{{}, first.x, first.x, first.y, first.y};
   for (const std::uint32_t i : clump) {
@@ -81,16 +81,16 @@ double width_about(const Vec3& centre, const SeenBody& b) {
                        b.y_high - centre.y});
 }
 
-Colour colour_of(double value, const ColourScale& scale) {
+drawing::Colour colour_of(double value, const ColourScale& scale) {
   if (scale.colour == ParticleColour::body) return value == 0 ? target_colour : impactor_colour;
-  return quantity_colour(scale.top > 0 ? value / scale.top : 0);
+  return drawing::quantity_colour(scale.top > 0 ? value / scale.top : 0);
 }
 
 }  // namespace
 
-ParticleView particle_view(const Snapshot& snapshot, ParticleColour colour,
+ParticleView particle_view(const io::Snapshot& snapshot, ParticleColour colour,
                            std::span<const double> depths, bool cut) {
-  const State& state = snapshot.state;
+  const particles::State& state = snapshot.state;
   const double nearest = cut ? centre_of_mass(state).z : std::numeric_limits<double>::infinity();
   const std::vector<double> values = colour_values(state, colour, depths);
   std::vector<std::uint32_t> order(state.size());
@@ -98,19 +98,19 @@ ParticleView particle_view(const Snapshot& snapshot, ParticleColour colour,
   std::ranges::sort(order, [&](std::uint32_t i, std::uint32_t j) {
     return state.x[i].z != state.x[j].z ? state.x[i].z < state.x[j].z : state.id[i] < state.id[j];
   });
-  ParticleView view{state.time, particle_radius(snapshot), {}, {}};
+  ParticleView view{state.time, shapes::particle_radius(snapshot), {}, {}};
   for (const std::uint32_t i : order)
     if (state.x[i].z <= nearest) view.x.push_back(state.x[i]), view.colour.push_back(values[i]);
   return view;
 }
 
-Layout layout_of(const Snapshot& snapshot) {
-  const State& state = snapshot.state;
+Layout layout_of(const io::Snapshot& snapshot) {
+  const particles::State& state = snapshot.state;
   Layout layout;
   layout.centre = centre_of_mass(state);
-  const double radius = particle_radius(snapshot);
-  for (const Clump& clump : clumps_of(state)) {
-    if (!layout.bodies.empty() && clump.size() < remnant_min_particles) break;
+  const double radius = shapes::particle_radius(snapshot);
+  for (const remnants::Clump& clump : clumps_of(state)) {
+    if (!layout.bodies.empty() && clump.size() < remnants::remnant_min_particles) break;
     layout.bodies.push_back(seen(state, clump, radius));
   }
   layout.body_diameters = 2 * (snapshot.scene.target.radius_m + impactor_radius(snapshot.scene));
@@ -153,8 +153,8 @@ ColourScale colour_scale(ParticleColour colour, const ParticleView& view) {
   return {colour, rounded_up(values[static_cast<std::size_t>(rank)]), std::ranges::max(values)};
 }
 
-Image panel_image(const ParticleView& view, const Frame& frame, const Vec3& centre,
-                  const ColourScale& scale, int pixels) {
+Bitmap panel_image(const ParticleView& view, const Frame& frame, const Vec3& centre,
+                   const ColourScale& scale, int pixels) {
   const double zoom = pixels / frame.width;
   std::vector<Disc> discs;
   discs.reserve(view.x.size());
@@ -166,4 +166,4 @@ Image panel_image(const ParticleView& view, const Frame& frame, const Vec3& cent
   return painted(discs, pixels, pixels);
 }
 
-}  // namespace eerie
+}  // namespace eerie::pictures

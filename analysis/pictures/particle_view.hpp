@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/hull.hpp"
-#include "analysis/origin.hpp"
-#include "analysis/pictures/image.hpp"
+#include "analysis/pictures/bitmap.hpp"
+#include "analysis/remnants/origin.hpp"
+#include "analysis/shapes/hull.hpp"
 #include "solver/io/snapshot.hpp"
 
-namespace eerie {
+namespace eerie::pictures {
 
 /// What the colour of a particle says.
 enum class ParticleColour {
@@ -31,7 +31,7 @@ struct ParticleView {
 
 /// `depths` by id, where colours are depths. `cut` leaves out the half before the plane of the
 /// orbit through the centre of mass, so that the inside is seen.
-ParticleView particle_view(const Snapshot& snapshot, ParticleColour colour,
+ParticleView particle_view(const io::Snapshot& snapshot, ParticleColour colour,
                            std::span<const double> depths = {}, bool cut = false);
 
 /// A contiguous body as its picture needs it.
@@ -47,7 +47,7 @@ struct Layout {
       bodies;                 ///< remnants, the most massive first; without any, the largest clump
   double body_diameters = 0;  ///< of target and impactor together, m
 };
-Layout layout_of(const Snapshot& snapshot);
+Layout layout_of(const io::Snapshot& snapshot);
 
 /// The square that every panel shows.
 struct Frame {
@@ -80,10 +80,10 @@ struct ColourScale {
 ColourScale colour_scale(ParticleColour colour, const ParticleView& view);
 
 /// The panel as a square picture of so many pixels.
-Image panel_image(const ParticleView& view, const Frame& frame, const Vec3& centre,
-                  const ColourScale& scale, int pixels);
+Bitmap panel_image(const ParticleView& view, const Frame& frame, const Vec3& centre,
+                   const ColourScale& scale, int pixels);
 
-inline constexpr Colour target_colour{0x00, 0x72, 0xb2};    ///< Okabe & Ito's blue
-inline constexpr Colour impactor_colour{0xe6, 0x9f, 0x00};  ///< and orange
+inline constexpr drawing::Colour target_colour{0x00, 0x72, 0xb2};    ///< Okabe & Ito's blue
+inline constexpr drawing::Colour impactor_colour{0xe6, 0x9f, 0x00};  ///< and orange
 
-}  // namespace eerie
+}  // namespace eerie::pictures

@@ -8,14 +8,15 @@
 #include <map>
 
 #include "campaign/catalogue/quantities.hpp"
-#include "campaign/csv_table.hpp"
+#include "campaign/text/csv_table.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/sphere.hpp"
 
-namespace eerie {
+namespace eerie::catalogue {
 namespace {
 
-using Columns = std::map<Quantity, std::pair<std::size_t, CatalogueColumn>>;
+using Columns = std::map<CatalogueQuantity, std::pair<std::size_t, CatalogueColumn>>;
 
 constexpr double default_density = 2700;  // of the scene, kg/m^3
 constexpr double most_disagreement = 0.01;
@@ -26,17 +27,17 @@ double rounded(double value) { return std::strtod(fmt::format("{:.12g}", value).
 /// A row while it is read: fields by quantity, with what is said where one is wrong.
 class Reader {
  public:
-  Reader(const CsvTable& table, const Columns& columns, const CsvTable::Row& row,
+  Reader(const text::CsvTable& table, const Columns& columns, const text::CsvTable::Row& row,
          const std::string& name)
       : table_(table), columns_(columns), row_(row), name_(name) {}
 
-  std::string text(Quantity quantity) const {
+  std::string text(CatalogueQuantity quantity) const {
     const auto at = columns_.find(quantity);
     return at == columns_.end() ? "" : row_.fields[at->second.first];
   }
 
   /// In SI with the decimal point moved; nothing where the column or the value is missing.
-  std::optional<double> number(Quantity quantity, double least, double most,
+  std::optional<double> number(CatalogueQuantity quantity, double least, double most,
                                int decimals = 0) const {
     const std::string field = text(quantity);
     if (field.empty()) return std::nullopt;
@@ -48,30 +49,30 @@ class Reader {
       refuse(quantity, fmt::format("must be at least {:g} and at most {:g}", least, most));
     return unit.factor == 1 ? *value : rounded(*value);
   }
-  std::optional<double> positive(Quantity quantity) const {
+  std::optional<double> positive(CatalogueQuantity quantity) const {
     const auto value = number(quantity, 0, 1e300);
     if (value && *value == 0) refuse(quantity, "must be greater than 0");
     return value;
   }
 
-  [[noreturn]] void refuse(Quantity quantity, const std::string& why) const {
+  [[noreturn]] void refuse(CatalogueQuantity quantity, const std::string& why) const {
     throw InputError(fmt::format("{}, {} = {}: {}", where(),
                                  table_.header[columns_.at(quantity).first], text(quantity), why));
   }
   [[noreturn]] void lack(const std::string& what) const {
     throw InputError(fmt::format("{}: {}", where(), what));
   }
-  bool has(Quantity quantity) const { return columns_.contains(quantity); }
+  bool has(CatalogueQuantity quantity) const { return columns_.contains(quantity); }
   std::string where() const { return fmt::format("{}, line {}", name_, row_.line); }
 
  private:
-  const CsvTable& table_;
+  const text::CsvTable& table_;
   const Columns& columns_;
-  const CsvTable::Row& row_;
+  const text::CsvTable::Row& row_;
   const std::string& name_;
 };
 
-Columns columns_of(const CsvTable& table, const std::string& name,
+Columns columns_of(const text::CsvTable& table, const std::string& name,
                    std::vector<std::string>& ignored) {
   Columns columns;
   for (std::size_t k = 0; k < table.header.size(); ++k) {
@@ -91,16 +92,16 @@ Columns columns_of(const CsvTable& table, const std::string& name,
 
 /// At least one of each group must be there; said once, before any row.
 void require_columns(const Columns& columns, const std::string& name) {
-  using enum Quantity;
-  const std::vector<std::vector<Quantity>> groups = {
+  using enum CatalogueQuantity;
+  const std::vector<std::vector<CatalogueQuantity>> groups = {
       {v_imp, v_imp_over_v_esc},
       {theta_imp, b},
       {m_projectile, q},
       {m_target, m_total, r_target, v_imp_over_v_esc}};
-  for (const std::vector<Quantity>& group : groups) {
+  for (const std::vector<CatalogueQuantity>& group : groups) {
     std::vector<std::string> names;
     bool there = false;
-    for (const Quantity one : group) {
+    for (const CatalogueQuantity one : group) {
       names.push_back(column_name(one));
       there = there || columns.contains(one);
     }
@@ -117,7 +118,7 @@ struct Bodies {
 };
 
 double mass_ratio(const Reader& row, std::optional<double>& target_kg) {
-  using enum Quantity;
+  using enum CatalogueQuantity;
   const auto ratio = row.positive(q), m_p = row.positive(m_projectile),
              m_tot = row.positive(m_total);
   if (ratio && *ratio > 1) row.refuse(q, "must be at most 1; call the larger body the target");
@@ -138,7 +139,7 @@ double mass_ratio(const Reader& row, std::optional<double>& target_kg) {
 }
 
 Bodies bodies_of(const Reader& row, const CatalogueOptions& options) {
-  using enum Quantity;
+  using enum CatalogueQuantity;
   Bodies bodies;
   auto m_t = row.positive(m_target);
   const auto radius = row.positive(r_target), density = row.positive(rho);
@@ -167,12 +168,12 @@ Bodies bodies_of(const Reader& row, const CatalogueOptions& options) {
   bodies.total_kg = target * (1 + bodies.q);
   if (bodies.radius_m > 0)
     bodies.escape_m_per_s =
-        mutual_escape_speed(bodies.radius_m, target / sphere_volume(bodies.radius_m), bodies.q);
+        mutual_escape_speed({bodies.radius_m, target / sphere_volume(bodies.radius_m)}, bodies.q);
   return bodies;
 }
 
 double angle_of(const Reader& row) {
-  using enum Quantity;
+  using enum CatalogueQuantity;
   if (const auto angle = row.number(theta_imp, 0, 89)) return *angle;
   const auto sine = row.number(b, 0, 0.9998);
   if (!sine) row.lack("the impact angle is missing; give theta_imp_deg, or b = sin(theta)");
@@ -181,7 +182,7 @@ double angle_of(const Reader& row) {
 
 /// cm/s. With --radius the ratio to the escape speed is what stays.
 double speed_of(const Reader& row, const Bodies& bodies, const CatalogueOptions& options) {
-  using enum Quantity;
+  using enum CatalogueQuantity;
   constexpr double fastest_cm_per_s = 1e4;
   const auto ratio = row.positive(v_imp_over_v_esc);
   const auto v = row.number(v_imp, 0, 1e300, 2);
@@ -194,7 +195,7 @@ double speed_of(const Reader& row, const Bodies& bodies, const CatalogueOptions&
           "v_imp_over_v_esc is missing and cannot be derived without the target's size; give "
           "it, or m_target");
     return rounded(ratio.value_or(v.value_or(0) / escape) * 100 *
-                   mutual_escape_speed(*options.radius_m, bodies.rho0, bodies.q));
+                   mutual_escape_speed({*options.radius_m, bodies.rho0}, bodies.q));
   }
   const double speed = v ? *v : rounded(*ratio * escape);
   if (speed > fastest_cm_per_s)
@@ -207,14 +208,14 @@ double speed_of(const Reader& row, const Bodies& bodies, const CatalogueOptions&
 }
 
 PublishedOutcome outcome_of(const Reader& row, const Bodies& bodies) {
-  using enum Quantity;
+  using enum CatalogueQuantity;
   constexpr double most = 1 + most_disagreement;
   PublishedOutcome outcome;
-  outcome.outcome_class = row.text(Quantity::outcome_class);
+  outcome.outcome_class = row.text(CatalogueQuantity::outcome_class);
   outcome.b_over_a = row.number(b_over_a, 0, 1);
   outcome.m_lr_over_m_total = row.number(m_lr_over_m_total, 0, most);
   outcome.m_slr_over_m_total = row.number(m_slr_over_m_total, 0, most);
-  const auto part = [&](Quantity mass, std::optional<double>& fraction) {
+  const auto part = [&](CatalogueQuantity mass, std::optional<double>& fraction) {
     const auto kg = row.number(mass, 0, 1e300);
     if (!kg || fraction) return;
     if (!(bodies.total_kg > 0)) row.refuse(mass, "needs the mass of the target; give m_target");
@@ -233,7 +234,7 @@ PublishedOutcome outcome_of(const Reader& row, const Bodies& bodies) {
 }
 
 CatalogueRow row_of(const Reader& row, std::size_t line, const CatalogueOptions& options) {
-  using enum Quantity;
+  using enum CatalogueQuantity;
   CatalogueRow out;
   out.line = line;
   out.run_id = row.text(run_id);
@@ -257,22 +258,17 @@ CatalogueRow row_of(const Reader& row, std::size_t line, const CatalogueOptions&
 
 }  // namespace
 
-double mutual_escape_speed(double radius_m, double rho0_kg_per_m3, double q) {
-  return std::sqrt(2 * newton_G * sphere_volume(radius_m) * rho0_kg_per_m3 * (1 + q) /
-                   (radius_m * (1 + std::cbrt(q))));
-}
-
 Catalogue parse_catalogue(std::string_view text, const std::string& name,
                           const CatalogueOptions& options) {
-  const CsvTable table = parse_csv(text, name);
+  const text::CsvTable table = text::parse_csv(text, name);
   Catalogue catalogue;
   const Columns columns = columns_of(table, name, catalogue.ignored);
   require_columns(columns, name);
   if (table.rows.empty())
     throw InputError(name + ": has a header and no impact; add a line for each");
-  for (const CsvTable::Row& row : table.rows)
+  for (const text::CsvTable::Row& row : table.rows)
     catalogue.rows.push_back(row_of(Reader(table, columns, row, name), row.line, options));
   return catalogue;
 }
 
-}  // namespace eerie
+}  // namespace eerie::catalogue

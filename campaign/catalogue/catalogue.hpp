@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace eerie {
+namespace eerie::catalogue {
 
 /// An impact of a catalogue as a scene of eerie's needs it.
 struct CatalogueImpact {
@@ -47,7 +47,4 @@ struct CatalogueOptions {
 Catalogue parse_catalogue(std::string_view text, const std::string& name,
                           const CatalogueOptions& options);
 
-/// Mutual escape speed at contact of two spheres of one density, m/s.
-double mutual_escape_speed(double radius_m, double rho0_kg_per_m3, double q);
-
-}  // namespace eerie
+}  // namespace eerie::catalogue

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/catalogue/quantities.hpp"
-#include "campaign/csv.hpp"
-#include "db/jobs.hpp"
+#include "campaign/text/csv.hpp"
+#include "db/jobs/jobs.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::catalogue {
 namespace {
 
 /// A result with its scene, for the fields of a line.
@@ -29,7 +29,7 @@ struct Column {
 };
 
 const std::vector<Column>& columns() {
-  using enum Quantity;
+  using enum CatalogueQuantity;
   static const std::vector<Column> all = {
       {column_name(run_id), [](const Line& l) { return l.row.hash.substr(0, 16); }},
       {column_name(v_imp), [](const Line& l) { return moved(l.row.v_imp_cm_per_s, -2); }},
@@ -72,10 +72,10 @@ std::string catalogue_csv(const db::Connection& connection, const db::ViewQuery&
     const Line line{row, scene};
     std::string fields;
     for (const Column& column : columns())
-      fields += (fields.empty() ? "" : ",") + csv_field(column.text(line));
+      fields += (fields.empty() ? "" : ",") + text::csv_field(column.text(line));
     text += fields + "\n";
   }
   return text;
 }
 
-}  // namespace eerie
+}  // namespace eerie::catalogue

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "campaign/scene_field.hpp"
+#include "campaign/sweeps/scene_field.hpp"
 #include "solver/base/error.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::catalogue {
 using nlohmann::json;
 
 namespace {
@@ -43,7 +43,7 @@ bool agree(const Catalogue& catalogue, const Field& field) {
 }
 
 std::string short_name(const char* path) {
-  for (const ShortName& entry : short_names)
+  for (const sweeps::ShortName& entry : sweeps::short_names)
     if (entry.path == path) return std::string(entry.name);
   return path;
 }
@@ -64,14 +64,14 @@ std::string common_fidelity(const Catalogue& catalogue, const std::string& name)
 json sweep_of(const Catalogue& catalogue, const std::vector<std::string>& overrides,
               const std::string& name) {
   json scene = json::object();
-  apply_overrides(scene, overrides);
+  sweeps::apply_overrides(scene, overrides);
   std::vector<const Field*> varied;
   for (const Field& field : fields) {
-    if (find_field(scene, field.path) != nullptr) continue;  // --set goes before the file
+    if (sweeps::find_field(scene, field.path) != nullptr) continue;  // --set goes before the file
     if (field.of_every_point || !agree(catalogue, field)) {
       varied.push_back(&field);
     } else if (const auto value = field.value(catalogue.rows.front().impact)) {
-      set_field(scene, field.path, canonical_number(*value));
+      sweeps::set_field(scene, field.path, sweeps::canonical_number(*value));
     }
   }
   json points = json::array();
@@ -88,8 +88,8 @@ json sweep_of(const Catalogue& catalogue, const std::vector<std::string>& overri
                         "line or in none",
                         where, short_name(field->path)));
       key.push_back(*value);
-      point[short_name(field->path)] = canonical_number(*value);
-      set_field(whole, field->path, canonical_number(*value));
+      point[short_name(field->path)] = sweeps::canonical_number(*value);
+      sweeps::set_field(whole, field->path, sweeps::canonical_number(*value));
     }
     parse_scene(whole, where);
     if (seen.insert(key).second) points.push_back(std::move(point));
@@ -106,4 +106,4 @@ std::string sweep_name_of(const std::string& stem) {
   return begin == std::string::npos ? "catalogue" : name.substr(begin);
 }
 
-}  // namespace eerie
+}  // namespace eerie::catalogue

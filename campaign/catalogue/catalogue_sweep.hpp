@@ -6,7 +6,7 @@
 
 #include "campaign/catalogue/catalogue.hpp"
 
-namespace eerie {
+namespace eerie::catalogue {
 
 /// The fidelity that all rows name; empty where none does. Throws InputError where they differ:
 /// a sweep has one.
@@ -21,4 +21,4 @@ nlohmann::json sweep_of(const Catalogue& catalogue, const std::vector<std::strin
 /// A name for the sweep of a file, of the letters that it may have.
 std::string sweep_name_of(const std::string& stem);
 
-}  // namespace eerie
+}  // namespace eerie::catalogue

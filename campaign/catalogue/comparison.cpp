@@ -6,11 +6,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "analysis/impact_run.hpp"
-#include "db/jobs.hpp"
+#include "analysis/paper/impact_run.hpp"
+#include "db/jobs/jobs.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::catalogue {
 namespace {
 
 constexpr double same_bodies = 1e-6;  // relative, in radius and density
@@ -23,12 +23,12 @@ db::Condition near(const char* column, double value, double tolerance) {
 
 db::ViewQuery at_point_of(const CatalogueImpact& impact) {
   db::ViewQuery query;
-  query.conditions = {near("v_imp_cm_per_s", impact.v_imp_cm_per_s, same_v_cm_per_s),
-                      near("theta_imp_deg", impact.theta_imp_deg, same_theta_deg),
-                      near("q", impact.q, same_q),
+  query.conditions = {near("v_imp_cm_per_s", impact.v_imp_cm_per_s, paper::same_v_cm_per_s),
+                      near("theta_imp_deg", impact.theta_imp_deg, paper::same_theta_deg),
+                      near("q", impact.q, paper::same_q),
                       {.column = "stale", .hi = 0}};
   if (impact.phi_d_deg)
-    query.conditions.push_back(near("phi_d_deg", *impact.phi_d_deg, same_phi_d_deg));
+    query.conditions.push_back(near("phi_d_deg", *impact.phi_d_deg, paper::same_phi_d_deg));
   return query;
 }
 
@@ -91,4 +91,4 @@ std::vector<Comparison> compare(const db::Connection& connection, const Catalogu
   return all;
 }
 
-}  // namespace eerie
+}  // namespace eerie::catalogue

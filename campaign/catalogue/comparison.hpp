@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "campaign/catalogue/catalogue.hpp"
-#include "db/connection.hpp"
+#include "db/store/connection.hpp"
 
-namespace eerie {
+namespace eerie::catalogue {
 
 /// An impact of a catalogue beside the results of one set of settings at its point.
 struct Comparison {
@@ -27,4 +27,4 @@ struct Comparison {
 /// its point, or once with no runs. Results of another solver version are left out.
 std::vector<Comparison> compare(const db::Connection& connection, const Catalogue& catalogue);
 
-}  // namespace eerie
+}  // namespace eerie::catalogue

@@ -11,7 +11,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 
-namespace eerie {
+namespace eerie::catalogue {
 namespace {
 
 constexpr double earth_mass_kg = 5.9722e24;  // IAU 2015 B3 nominal GM over CODATA 2018 G
@@ -34,14 +34,14 @@ constexpr Unit none[] = {{""}};
 /// 2012; Cambioni et al. 2019; Gabriel et al. 2020; Timpe et al. 2020; Emsenhuber et al. 2024).
 /// Lower case, without underscores.
 struct Entry {
-  Quantity quantity;
+  CatalogueQuantity quantity;
   const char* name;
   std::span<const Unit> units;
   std::vector<std::string_view> others;
 };
 
 const std::vector<Entry>& entries() {
-  using enum Quantity;
+  using enum CatalogueQuantity;
   static const std::vector<Entry> all = {
       {run_id, "run_id", none, {"id", "run", "name", "model", "simulation"}},
       {v_imp,
@@ -126,7 +126,7 @@ const Entry* entry_named(const std::string& name) {
 
 }  // namespace
 
-std::string column_name(Quantity quantity) {
+std::string column_name(CatalogueQuantity quantity) {
   for (const Entry& entry : entries())
     if (entry.quantity == quantity)
       return entry.units.front().name.empty()
@@ -196,4 +196,4 @@ std::string moved(double value, int decimals) {
   return sign + digits.substr(0, whole) + "." + digits.substr(whole);
 }
 
-}  // namespace eerie
+}  // namespace eerie::catalogue

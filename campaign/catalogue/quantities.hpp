@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-namespace eerie {
+namespace eerie::catalogue {
 
 /// What a column of a catalogue of collisions may hold.
-enum class Quantity {
+enum class CatalogueQuantity {
   run_id,
   v_imp,
   v_imp_over_v_esc,
@@ -41,12 +41,12 @@ struct Unit {
 
 /// A column that was recognised by its header.
 struct CatalogueColumn {
-  Quantity quantity = Quantity::run_id;
+  CatalogueQuantity quantity = CatalogueQuantity::run_id;
   Unit unit;
 };
 
 /// The column's name in catalogues that eerie writes, unit included: "m_target_kg".
-std::string column_name(Quantity quantity);
+std::string column_name(CatalogueQuantity quantity);
 
 /// Reads a header such as "m_target_kg", "M_targ (kg)", "V_i/V_esc", "theta [deg]". Nothing where
 /// it names no known quantity. Throws InputError, with `where` in front, for a quantity without
@@ -60,4 +60,4 @@ std::optional<double> value_of(const std::string& field, const Unit& unit, int d
 /// A number with its decimal point moved, every digit kept: (17.3, -2) is "0.173".
 std::string moved(double value, int decimals);
 
-}  // namespace eerie
+}  // namespace eerie::catalogue

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <functional>
 
-#include "campaign/cli/command_list.hpp"
 #include "campaign/cli/commands.hpp"
-#include "campaign/provenance.hpp"
+#include "campaign/cli/options/command_list.hpp"
+#include "campaign/job_folder/provenance.hpp"
 #include "campaign/slurm/array_task.hpp"
-#include "campaign/worker.hpp"
-#include "db/error.hpp"
+#include "campaign/worker/worker.hpp"
+#include "db/store/error.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/simd.hpp"
 
@@ -67,17 +67,17 @@ Action add_solve(CLI::App& app) {
 }
 
 Action add_worker(CLI::App& app) {
-  auto a = std::make_shared<WorkerOptions>();
+  auto a = std::make_shared<worker::WorkerOptions>();
   app.add_option("DIR", a->directory, "job directory")->required();
   app.add_option("--threads", a->threads, "threads")->check(CLI::Range(1, most_threads));
   app.add_option("--parent", a->parent, "process to end with");
-  return [a] { return run_worker(*a); };
+  return [a] { return worker::run_worker(*a); };
 }
 
 Action add_slurm_task(CLI::App& app) {
   auto batch = std::make_shared<std::filesystem::path>();
   app.add_option("BATCH", *batch, "folder of the batch")->required();
-  return [batch] { return run_array_task(array_task_options(*batch)); };
+  return [batch] { return slurm::run_array_task(slurm::array_task_options(*batch)); };
 }
 
 struct Command {
@@ -230,8 +230,9 @@ int main(int argc, char** argv) {
   CLI::App app(
       "eerie explores impacts of planetesimals that leave extremely elongated remnants (EERs).",
       "eerie");
-  app.set_version_flag("--version", fmt::format("eerie {} ({}), {}", provenance().version,
-                                                provenance().commit, vector_variant));
+  app.set_version_flag("--version",
+                       fmt::format("eerie {} ({}), {}", job_folder::provenance().version,
+                                   job_folder::provenance().commit, vector_variant));
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 some job failed, 2 bad input, 3 environment, 130 stopped by Ctrl-C.\n"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "campaign/cli/engine.hpp"
-#include "campaign/cli/options.hpp"
+#include "campaign/cli/options/options.hpp"
+#include "campaign/cli/options/scheduler_options.hpp"
 
 namespace eerie::cli {
 

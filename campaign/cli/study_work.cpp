@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "campaign/signals.hpp"
-#include "db/jobs.hpp"
+#include "campaign/process/signals.hpp"
+#include "db/jobs/jobs.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::cli {
@@ -32,9 +32,10 @@ Tally run_scenes(const StudyArguments& a, const std::string& name, const std::st
   if (scenes.empty())
     throw InputError(
         fmt::format("--budget = {:g}: does not pay for the first run; raise it", a.core_hours));
-  catch_stop_signals();
-  hold_signals();
-  const db::AddedSweep added = db::add_sweep(connection, name, document, jobs_in_order(scenes));
+  process::catch_stop_signals();
+  process::hold_signals();
+  const db::AddedSweep added =
+      db::add_sweep(connection, name, document, sweeps::jobs_in_order(scenes));
   const std::size_t left = tally(connection, added.sweep).left;
   if (!a.json) {
     fmt::print("{}: {} runs within the budget, {}{} to run\n", name, scenes.size() + known,

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "campaign/cli/options.hpp"
+#include "campaign/cli/options/options.hpp"
 #include "campaign/cli/work.hpp"
-#include "campaign/finished_run.hpp"
-#include "campaign/job.hpp"
-#include "campaign/job_directory.hpp"
-#include "campaign/run_records.hpp"
-#include "campaign/study.hpp"
-#include "campaign/throughput.hpp"
-#include "db/lock.hpp"
+#include "campaign/job_folder/job_directory.hpp"
+#include "campaign/manager/throughput.hpp"
+#include "campaign/results/finished_run.hpp"
+#include "campaign/results/run_records.hpp"
+#include "campaign/studies/convergence_study.hpp"
+#include "campaign/sweeps/job.hpp"
+#include "db/store/lock.hpp"
 
 namespace eerie::cli {
 
@@ -32,14 +32,14 @@ void add_study(CLI::App& app, StudyArguments& arguments);
 /// InputError where it pays for none.
 template <class Run>
 Tally run_study(const StudyArguments& a, const std::string& name, const std::string& document,
-                std::vector<Run> runs, const RunRecords& known);
+                std::vector<Run> runs, const results::RunRecords& known);
 
 /// A study after its work: what is left of it and all results, known ones included.
 template <class Run>
 struct StudyWork {
   Tally left;
-  std::vector<Finished<Run>> results;
-  std::optional<JobFolder> jobs;  ///< nothing where there is no database
+  std::vector<results::RunWithResult<Run>> results;
+  std::optional<job_folder::JobFolder> jobs;  ///< nothing where there is no database
 };
 
 /// Runs what run_study() would, unless figures alone are asked for, and collects the results.
@@ -60,13 +60,14 @@ Tally run_scenes(const StudyArguments& a, const std::string& name, const std::st
 
 template <class Run>
 Tally run_study(const StudyArguments& a, const std::string& name, const std::string& document,
-                std::vector<Run> runs, const RunRecords& known) {
+                std::vector<Run> runs, const results::RunRecords& known) {
   make_folder_of(a.database);
   const db::Lock lock(a.database);
   db::Connection connection(a.database, db::Access::write);
   if (a.core_hours > 0) {
     const db::Speed speed = db::speed(connection);
-    runs = affordable(std::move(runs), a.core_hours, speed.is_measured() ? speed : assumed_speed);
+    runs = studies::affordable(std::move(runs), a.core_hours,
+                               speed.is_measured() ? speed : manager::assumed_speed);
   }
   std::vector<Scene> scenes;
   for (const Run& run : runs)
@@ -77,11 +78,11 @@ Tally run_study(const StudyArguments& a, const std::string& name, const std::str
 template <class Run>
 StudyWork<Run> work_on_study(const StudyArguments& a, const std::string& name,
                              const std::string& document, const std::vector<Run>& runs) {
-  const RunRecords known = read_run_records(a.known);
+  const results::RunRecords known = results::read_run_records(a.known);
   const Tally left = a.draw_only ? Tally{} : run_study(a, name, document, runs, known);
   const std::optional<db::Connection> database = results_database(a);
-  if (!database) return {left, finished_runs(runs, nullptr, known), {}};
-  return {left, finished_runs(runs, &*database, known), job_folder(*database)};
+  if (!database) return {left, results::finished_runs(runs, nullptr, known), {}};
+  return {left, results::finished_runs(runs, &*database, known), job_folder::job_folder(*database)};
 }
 
 }  // namespace eerie::cli

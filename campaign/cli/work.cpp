@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "campaign/cli/progress_line.hpp"
-#include "campaign/local_processes.hpp"
-#include "campaign/manager.hpp"
-#include "campaign/signals.hpp"
-#include "campaign/split.hpp"
-#include "campaign/status_file.hpp"
-#include "db/jobs.hpp"
+#include "campaign/cli/output/progress_line.hpp"
+#include "campaign/manager/local_processes.hpp"
+#include "campaign/manager/manager.hpp"
+#include "campaign/manager/split.hpp"
+#include "campaign/manager/status_file.hpp"
+#include "campaign/process/signals.hpp"
+#include "db/jobs/jobs.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::cli {
@@ -25,15 +25,15 @@ namespace {
 constexpr double worth_measuring_s = 120, least_speed = 2e6;
 constexpr std::chrono::duration<double> measurement{0.4};
 
-std::string text(const Split& split) {
+std::string text(const manager::Split& split) {
   return fmt::format("{} job{} x {} thread{}", split.jobs, split.jobs == 1 ? "" : "s",
                      split.threads, split.threads == 1 ? "" : "s");
 }
 
 /// As the user says, else as measured on the longest job; without a measurement, many narrow jobs.
-Split choose_split(const Share& share, const std::vector<db::Job>& pending,
-                   const db::Connection& connection) {
-  const std::size_t cores = usable_cores();
+manager::Split choose_split(const Share& share, const std::vector<db::Job>& pending,
+                            const db::Connection& connection) {
+  const std::size_t cores = manager::usable_cores();
   const auto threads = static_cast<std::size_t>(std::max(1, share.threads_per_job));
   if (share.workers > 0)
     return {static_cast<std::size_t>(share.workers), static_cast<int>(threads), 0};
@@ -41,15 +41,15 @@ Split choose_split(const Share& share, const std::vector<db::Job>& pending,
     return {std::max<std::size_t>(1, cores / threads), share.threads_per_job, 0};
   double particle_steps = 0;
   for (const db::Job& job : pending) particle_steps += job.expected_particle_steps;
-  const std::vector<Split> possible = possible_splits(cores, pending.size());
+  const std::vector<manager::Split> possible = manager::possible_splits(cores, pending.size());
   if (possible.size() == 1 || particle_steps / least_speed < worth_measuring_s)
     return possible.front();
   const auto longest = std::ranges::max_element(pending, {}, &db::Job::expected_particle_steps);
   const Scene scene = parse_scene(json::parse(db::scene(connection, longest->id)));
-  const std::vector<Split> splits = measured(possible, scene, measurement);
+  const std::vector<manager::Split> splits = manager::measured(possible, scene, measurement);
   if (!share.quiet) {
     fmt::print("{}:", text(splits.front()));
-    for (const Split& split : splits)
+    for (const manager::Split& split : splits)
       fmt::print("{} {:.3g} M particle-steps/s",
                  &split == &splits.front() ? "" : fmt::format("; {}", text(split)),
                  split.particle_steps_per_s / 1e6);
@@ -72,17 +72,17 @@ void make_folder_of(const fs::path& file) {
 
 void work(db::Connection& connection, const Share& share, std::int64_t sweep,
           const EngineArguments& engine) {
-  Split split;
+  manager::Split split;
   if (engine.is_local())
     split = choose_split(share, db::jobs(connection, {sweep, db::JobState::pending}), connection);
   open_manager_log(connection.path(), false);
   const auto scheduler = make_scheduler(engine, connection, split.jobs, split.threads);
-  ManagerOptions options = manager_options(engine);
+  manager::ManagerOptions options = manager_options(engine);
   options.sweep = sweep;
-  Manager manager(connection, *scheduler, options);
+  manager::Manager manager(connection, *scheduler, options);
   ProgressLine line;
-  StatusFile status(connection.path());
-  manager.run(stop_requests, [&](const CampaignView& view) {
+  manager::StatusFile status(connection.path());
+  manager.run(process::stop_requests, [&](const manager::CampaignView& view) {
     line.show(view);
     status.show(view);
   });

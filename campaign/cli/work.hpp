@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "campaign/cli/engine.hpp"
-#include "db/connection.hpp"
+#include "campaign/cli/options/scheduler_options.hpp"
+#include "db/store/connection.hpp"
 
 namespace eerie::cli {
 

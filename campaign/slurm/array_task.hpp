@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace eerie {
+namespace eerie::slurm {
 
 struct ArrayTaskOptions {
   std::filesystem::path batch;  ///< its folder
@@ -18,4 +18,4 @@ ArrayTaskOptions array_task_options(std::filesystem::path batch);
 /// Returns the exit code.
 int run_array_task(const ArrayTaskOptions& options);
 
-}  // namespace eerie
+}  // namespace eerie::slurm

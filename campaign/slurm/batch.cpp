@@ -9,7 +9,7 @@
 
 #include "solver/base/file.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
@@ -35,7 +35,7 @@ std::vector<std::vector<BatchJob>> parse_array(const json& document) {
     array.emplace_back();
     for (const json& job : pack)
       array.back().push_back({job.at("job").get<std::int64_t>(),
-                              JobDirectory{job.at("directory").get<std::string>()}});
+                              job_folder::JobDirectory{job.at("directory").get<std::string>()}});
   }
   return array;
 }
@@ -80,7 +80,7 @@ void install_slurm_id(Batch& batch, std::int64_t id) {
 std::optional<Batch> read_batch(const fs::path& folder) {
   Batch batch;
   batch.folder = folder;
-  const auto document = read_json(batch.manifest());
+  const auto document = job_folder::read_json(batch.manifest());
   if (!document || !document->is_object()) return std::nullopt;
   try {
     if (document->at("version") != manifest_version) return std::nullopt;
@@ -90,7 +90,7 @@ std::optional<Batch> read_batch(const fs::path& folder) {
   }
   batch.submitted = fs::last_write_time(batch.manifest());
   // The file holds a number, which is JSON.
-  if (const auto id = read_json(batch.slurm_id_file()); id && id->is_number_unsigned())
+  if (const auto id = job_folder::read_json(batch.slurm_id_file()); id && id->is_number_unsigned())
     batch.slurm_id = id->get<std::int64_t>();
   return batch;
 }
@@ -100,7 +100,7 @@ void install_released(const Batch& batch, const std::set<std::int64_t>& jobs) {
 }
 
 std::set<std::int64_t> read_released(const Batch& batch) {
-  const auto document = read_json(batch.released_file());
+  const auto document = job_folder::read_json(batch.released_file());
   if (!document || !document->is_array()) return {};
   std::set<std::int64_t> jobs;
   for (const json& job : *document)
@@ -115,4 +115,4 @@ void remove_batch(const Batch& batch) {
   fs::remove_all(batch.folder, ignored);
 }
 
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "campaign/job_directory.hpp"
+#include "campaign/job_folder/job_directory.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 
 /// A job's place in a batch.
 struct BatchJob {
   std::int64_t job = 0;
-  JobDirectory directory;
+  job_folder::JobDirectory directory;
 };
 
 /// One submission: an array job whose array tasks run some jobs each, one after another. Its
@@ -65,4 +65,4 @@ std::string manifest_text(const Batch& batch);
 /// "#!/bin/sh", and the program in the shell's place so that Slurm's signals reach it.
 std::string batch_script(const std::filesystem::path& program, const std::filesystem::path& folder);
 
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-namespace eerie {
+namespace eerie::slurm {
 namespace {
 
 // Slurm's own commands give up after MessageTimeout (10 s), some after several tries.
@@ -106,4 +106,4 @@ std::size_t Cluster::array_size() {
   return *array_size_;
 }
 
-}  // namespace eerie
+}  // namespace eerie::slurm

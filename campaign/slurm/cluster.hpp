@@ -7,7 +7,7 @@
 #include "campaign/slurm/profile.hpp"
 #include "campaign/slurm/queue_text.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 
 /// sbatch's command line for a batch.
 std::vector<std::string> sbatch_words(const SlurmProfile& profile, const Batch& batch);
@@ -49,4 +49,4 @@ class Cluster {
   std::optional<std::size_t> array_size_;
 };
 
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -14,7 +14,7 @@
 
 #include "solver/base/error.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -147,4 +147,4 @@ CommandEnd ChildCommands::run(const std::vector<std::string>& words,
   return end;
 }
 
-}  // namespace eerie
+}  // namespace eerie::slurm

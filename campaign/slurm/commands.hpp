@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace eerie {
+namespace eerie::slurm {
 
 /// What a program left behind.
 struct CommandEnd {
@@ -34,4 +34,4 @@ class ChildCommands : public Commands {
   CommandEnd run(const std::vector<std::string>& words, std::chrono::milliseconds limit) override;
 };
 
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <fstream>
 
-#include "campaign/worker.hpp"
+#include "campaign/job_folder/worker_exit.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 namespace fs = std::filesystem;
 
 namespace {
@@ -27,7 +27,7 @@ void look_again(const fs::path& folder) {
 
 /// What the array task said outside of any job, such as why the program could not be started,
 /// for those who look into the job's log.
-void explain_loss(const Batch& batch, int index, const JobDirectory& directory) {
+void explain_loss(const Batch& batch, int index, const job_folder::JobDirectory& directory) {
   constexpr std::size_t longest = 2000;
   std::error_code problem;
   std::string text =
@@ -40,8 +40,8 @@ void explain_loss(const Batch& batch, int index, const JobDirectory& directory) 
       batch.slurm_id.value_or(0), index, text.empty() ? "nothing" : text);
 }
 
-WorkerEnd worker_end(std::int64_t job, const AttemptEnded& ended) {
-  WorkerEnd end;
+manager::WorkerEnd worker_end(std::int64_t job, const job_folder::AttemptEnded& ended) {
+  manager::WorkerEnd end;
   end.job = job;
   // An array task notes a worker that died of a signal as shells do.
   constexpr int signal_base = 128;
@@ -54,8 +54,8 @@ WorkerEnd worker_end(std::int64_t job, const AttemptEnded& ended) {
   return end;
 }
 
-WorkerEnd plain_end(std::int64_t job, int exit_code) {
-  WorkerEnd end;
+manager::WorkerEnd plain_end(std::int64_t job, int exit_code) {
+  manager::WorkerEnd end;
   end.job = job;
   end.exit_code = exit_code;
   return end;
@@ -113,11 +113,12 @@ bool LiveBatch::newer(const fs::path& file) const {
   return !problem && written >= batch_.submitted;
 }
 
-std::optional<WorkerEnd> LiveBatch::end_of(const ArrayTask& task, int index, Job& job) const {
-  const JobDirectory& directory = job.place.directory;
+std::optional<manager::WorkerEnd> LiveBatch::end_of(const ArrayTask& task, int index,
+                                                    Job& job) const {
+  const job_folder::JobDirectory& directory = job.place.directory;
   if (task.gone) look_again(directory.path);
   // ended.json is written last, so it is read first.
-  const auto ended = newer(directory.ended()) ? read_ended(directory) : std::nullopt;
+  const auto ended = newer(directory.ended()) ? job_folder::read_ended(directory) : std::nullopt;
   if (ended) look_again(directory.path);
   std::error_code ignored;
   const bool result = fs::exists(directory.result(), ignored);
@@ -131,19 +132,20 @@ std::optional<WorkerEnd> LiveBatch::end_of(const ArrayTask& task, int index, Job
   }
   const bool stopping = job.stopping || newer(directory.stop());
   // A worker that was preempted left a checkpoint, and its array task will start again.
-  const bool goes_on = ended && ended->exit_code == worker_stopped && !stopping && !task.gone;
+  const bool goes_on =
+      ended && ended->exit_code == job_folder::worker_stopped && !stopping && !task.gone;
   if (ended && !goes_on) return worker_end(job.place.job, *ended);
   if (!task.gone) return std::nullopt;
-  if (stopping || !ever_seen_) return plain_end(job.place.job, worker_stopped);
+  if (stopping || !ever_seen_) return plain_end(job.place.job, job_folder::worker_stopped);
   explain_loss(batch_, index, directory);
-  WorkerEnd end;
+  manager::WorkerEnd end;
   end.job = job.place.job;
   end.lost = true;
   return end;
 }
 
-std::vector<WorkerEnd> LiveBatch::newly_over(bool queue_known) {
-  std::vector<WorkerEnd> ends;
+std::vector<manager::WorkerEnd> LiveBatch::newly_over(bool queue_known) {
+  std::vector<manager::WorkerEnd> ends;
   for (std::size_t k = 0; k < array_.size(); ++k) {
     ArrayTask& task = array_[k];
     if (task.pending && queue_known && !task.gone) continue;  // nobody has written anything
@@ -173,7 +175,7 @@ void LiveBatch::note_released() {
   }
 }
 
-void LiveBatch::stop(const std::unordered_set<std::string>& directories, StopKind kind) {
+void LiveBatch::stop(const std::unordered_set<std::string>& directories, manager::StopKind kind) {
   for (ArrayTask& task : array_) {
     bool any = false;
     for (Job& job : task.jobs) {
@@ -186,12 +188,12 @@ void LiveBatch::stop(const std::unordered_set<std::string>& directories, StopKin
   }
 }
 
-std::vector<int> LiveBatch::to_cancel(StopKind kind) const {
+std::vector<int> LiveBatch::to_cancel(manager::StopKind kind) const {
   std::vector<int> indices;
   for (std::size_t k = 0; k < array_.size(); ++k) {
     const ArrayTask& task = array_[k];
     // Of one that has left the queue scancel would say that there is no such job.
-    const bool there = task.absences == 0 && (task.pending || kind == StopKind::at_once);
+    const bool there = task.absences == 0 && (task.pending || kind == manager::StopKind::at_once);
     if (task.cancel == kind && there) indices.push_back(static_cast<int>(k));
   }
   return indices;
@@ -201,4 +203,4 @@ void LiveBatch::cancelled(const std::vector<int>& indices) {
   for (const int k : indices) array_[static_cast<std::size_t>(k)].cancel.reset();
 }
 
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -3,11 +3,11 @@
 #include <optional>
 #include <unordered_set>
 
-#include "campaign/scheduler.hpp"
+#include "campaign/manager/scheduler.hpp"
 #include "campaign/slurm/batch.hpp"
 #include "campaign/slurm/queue_text.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 
 /// A batch that is not over, and what was seen of it. Concludes from files what became of a job,
 /// and from the queue only that nobody works on it any more.
@@ -24,7 +24,7 @@ class LiveBatch {
     int absences = 0;  ///< successive answers of squeue without it
     bool gone = false;
     bool pending = true;
-    std::optional<StopKind> cancel = {};  ///< still to be said to Slurm
+    std::optional<manager::StopKind> cancel = {};  ///< still to be said to Slurm
   };
 
   /// Of a submission just made, or of one that another manager left behind.
@@ -43,18 +43,18 @@ class LiveBatch {
 
   /// Jobs that are over since the last call, as their files tell. `queue_known`: whether the last
   /// question to squeue was answered.
-  std::vector<WorkerEnd> newly_over(bool queue_known);
+  std::vector<manager::WorkerEnd> newly_over(bool queue_known);
 
   /// Leaves a stop file for each job of this batch in one of these directories.
-  void stop(const std::unordered_set<std::string>& directories, StopKind kind);
+  void stop(const std::unordered_set<std::string>& directories, manager::StopKind kind);
 
   /// Array tasks that Slurm still has to be told to cancel, by index: with_checkpoint those that
   /// wait, for a stop file reaches the others; at_once all that the queue holds.
-  std::vector<int> to_cancel(StopKind kind) const;
+  std::vector<int> to_cancel(manager::StopKind kind) const;
   void cancelled(const std::vector<int>& indices);
 
  private:
-  std::optional<WorkerEnd> end_of(const ArrayTask& task, int index, Job& job) const;
+  std::optional<manager::WorkerEnd> end_of(const ArrayTask& task, int index, Job& job) const;
   void note_released();
   bool newer(const std::filesystem::path& file) const;
 
@@ -66,4 +66,4 @@ class LiveBatch {
   std::size_t released_noted_;  ///< how many of them stand in the file
 };
 
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-namespace eerie {
+namespace eerie::slurm {
 namespace {
 
 /// Start and end of a worker, however small its job.
@@ -25,16 +25,17 @@ double pack_core_seconds(const SlurmProfile& profile) {
   return seconds * profile.cpus_per_task;
 }
 
-std::vector<std::vector<Task>> packed(std::span<const Task> tasks, double core_seconds) {
-  std::vector<Task> sorted(tasks.begin(), tasks.end());
-  std::ranges::stable_sort(sorted, [](const Task& a, const Task& b) {
+std::vector<std::vector<manager::Task>> packed(std::span<const manager::Task> tasks,
+                                               double core_seconds) {
+  std::vector<manager::Task> sorted(tasks.begin(), tasks.end());
+  std::ranges::stable_sort(sorted, [](const manager::Task& a, const manager::Task& b) {
     if (a.expected_core_seconds != b.expected_core_seconds)
       return a.expected_core_seconds > b.expected_core_seconds;
     return a.job < b.job;
   });
-  std::vector<std::vector<Task>> packs;
+  std::vector<std::vector<manager::Task>> packs;
   std::multimap<double, std::size_t> room;  // what is left -> pack
-  for (Task& task : sorted) {
+  for (manager::Task& task : sorted) {
     const bool known = task.expected_core_seconds > 0;
     const double cost = std::max(least_core_seconds, task.expected_core_seconds);
     const auto fullest = known ? room.lower_bound(cost) : room.end();
@@ -51,4 +52,4 @@ std::vector<std::vector<Task>> packed(std::span<const Task> tasks, double core_s
   return packs;
 }
 
-}  // namespace eerie
+}  // namespace eerie::slurm

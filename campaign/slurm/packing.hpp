@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "campaign/scheduler.hpp"
+#include "campaign/manager/scheduler.hpp"
 #include "campaign/slurm/profile.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 
 /// Core-seconds that a pack of jobs may be expected to take: as the profile says, and little
 /// enough for its time limit. 0: no packing.
@@ -15,6 +15,7 @@ double pack_core_seconds(const SlurmProfile& profile);
 /// Tasks that share an array task, one pack each. Longest first, each task into the fullest pack
 /// that has room (best fit); one whose cost is not known gets a pack of its own. The same tasks
 /// always give the same packs.
-std::vector<std::vector<Task>> packed(std::span<const Task> tasks, double core_seconds);
+std::vector<std::vector<manager::Task>> packed(std::span<const manager::Task> tasks,
+                                               double core_seconds);
 
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "campaign/json_file.hpp"
 #include "campaign/slurm/profile_schema_text.hpp"
+#include "campaign/text/json_file.hpp"
 #include "solver/base/error.hpp"
 #include "solver/scene/validate.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 using nlohmann::json;
 
 namespace {
@@ -147,7 +147,7 @@ SlurmProfile parse_slurm_profile(const json& given, const std::string& where) {
 }
 
 SlurmProfile load_slurm_profile(const std::filesystem::path& path) {
-  return parse_slurm_profile(load_json(path), path.string());
+  return parse_slurm_profile(text::load_json(path), path.string());
 }
 
-}  // namespace eerie
+}  // namespace eerie::slurm

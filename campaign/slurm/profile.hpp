@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace eerie {
+namespace eerie::slurm {
 
 /// How jobs are submitted to a cluster: profile.schema.json says what each field means. An empty
 /// text leaves the choice to the cluster.
@@ -31,4 +31,4 @@ SlurmProfile load_slurm_profile(const std::filesystem::path& path);
 /// nothing where it is none.
 std::optional<std::chrono::seconds> parse_time_limit(const std::string& text);
 
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-namespace eerie {
+namespace eerie::slurm {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -107,4 +107,4 @@ std::optional<int> max_array_size(std::string_view config) {
   return std::nullopt;
 }
 
-}  // namespace eerie
+}  // namespace eerie::slurm

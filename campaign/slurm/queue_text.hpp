@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace eerie {
+namespace eerie::slurm {
 
 /// The job id in what `sbatch --parsable` prints, "1234" or "1234;cluster"; nothing where there is
 /// none. Lines before the last are a site's greetings.
@@ -37,4 +37,4 @@ std::string index_ranges(const std::vector<int>& sorted);
 /// MaxArraySize in what `scontrol show config` prints.
 std::optional<int> max_array_size(std::string_view config);
 
-}  // namespace eerie
+}  // namespace eerie::slurm

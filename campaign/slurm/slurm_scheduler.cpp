@@ -7,19 +7,19 @@
 #include <nlohmann/json.hpp>
 #include <unordered_set>
 
-#include "campaign/signals.hpp"
+#include "campaign/job_folder/worker_lock.hpp"
+#include "campaign/process/signals.hpp"
 #include "campaign/slurm/packing.hpp"
-#include "campaign/worker.hpp"
-#include "campaign/worker_lock.hpp"
+#include "campaign/job_folder/worker_exit.hpp"
 #include "solver/base/error.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 namespace fs = std::filesystem;
 
 namespace {
 
 /// As nodes and other managers know it.
-std::string key(const JobDirectory& directory) {
+std::string key(const job_folder::JobDirectory& directory) {
   return fs::absolute(directory.path).lexically_normal().string();
 }
 
@@ -40,21 +40,21 @@ fs::path checked_folder(const fs::path& folder) {
   return whole;
 }
 
-Batch batch_of(const fs::path& jobs_folder, std::span<const std::vector<Task>> packs) {
+Batch batch_of(const fs::path& jobs_folder, std::span<const std::vector<manager::Task>> packs) {
   Batch batch;
   batch.folder = batches_folder(jobs_folder) / new_batch_id();
-  for (const std::vector<Task>& pack : packs) {
+  for (const std::vector<manager::Task>& pack : packs) {
     batch.array.emplace_back();
-    for (const Task& task : pack)
-      batch.array.back().push_back({task.job, JobDirectory{key(task.directory)}});
+    for (const manager::Task& task : pack)
+      batch.array.back().push_back({task.job, job_folder::JobDirectory{key(task.directory)}});
   }
   return batch;
 }
 
-WorkerEnd never_started(std::int64_t job) {
-  WorkerEnd end;
+manager::WorkerEnd never_started(std::int64_t job) {
+  manager::WorkerEnd end;
   end.job = job;
-  end.exit_code = worker_stopped;
+  end.exit_code = job_folder::worker_stopped;
   return end;
 }
 
@@ -115,22 +115,22 @@ std::size_t SlurmScheduler::free_slots() {
   return trickle ? 0 : std::min(free, cluster_.array_size());
 }
 
-std::vector<std::string> SlurmScheduler::start(std::span<const Task> tasks) {
-  const std::vector<std::vector<Task>> packs = packed(tasks, pack_core_seconds(profile_));
+std::vector<std::string> SlurmScheduler::start(std::span<const manager::Task> tasks) {
+  const std::vector<std::vector<manager::Task>> packs = packed(tasks, pack_core_seconds(profile_));
   std::unordered_map<std::int64_t, std::string> names;
   for (std::size_t first = 0; first < packs.size(); first += cluster_.array_size()) {
     const auto chunk =
         std::span(packs).subspan(first, std::min(cluster_.array_size(), packs.size() - first));
     const std::vector<std::string> chunk_names = submit(chunk, first == 0);
     for (std::size_t k = 0; k < chunk.size(); ++k)
-      for (const Task& task : chunk[k]) names[task.job] = chunk_names[k];
+      for (const manager::Task& task : chunk[k]) names[task.job] = chunk_names[k];
   }
   std::vector<std::string> in_order;
-  for (const Task& task : tasks) in_order.push_back(names.at(task.job));
+  for (const manager::Task& task : tasks) in_order.push_back(names.at(task.job));
   return in_order;
 }
 
-std::vector<std::string> SlurmScheduler::submit(std::span<const std::vector<Task>> packs,
+std::vector<std::string> SlurmScheduler::submit(std::span<const std::vector<manager::Task>> packs,
                                                 bool first) {
   Batch batch = batch_of(jobs_folder_, packs);
   install_batch(batch, program_);
@@ -144,26 +144,26 @@ std::vector<std::string> SlurmScheduler::submit(std::span<const std::vector<Task
     hold(live_.back());
     if (accepted) live_.back().note_slurm_id(submission.id);
   }
-  if (first && !accepted) throw SchedulerUnavailable(submission.reason);
+  if (first && !accepted) throw manager::SchedulerUnavailable(submission.reason);
   // What was submitted before stays so; these come back as stopped before they began.
   if (refused)
-    for (const std::vector<Task>& pack : packs)
-      for (const Task& task : pack) ended_.push_back(never_started(task.job));
+    for (const std::vector<manager::Task>& pack : packs)
+      for (const manager::Task& task : pack) ended_.push_back(never_started(task.job));
   std::vector<std::string> names;
   for (std::size_t k = 0; k < packs.size(); ++k)
     names.push_back(accepted ? fmt::format("slurm {}_{}", submission.id, k) : "slurm");
   return names;
 }
 
-bool SlurmScheduler::holds(const Task& task) {
+bool SlurmScheduler::holds(const manager::Task& task) {
   refresh();
-  return held_.contains(key(task.directory)) || WorkerLock::held(task.directory);
+  return held_.contains(key(task.directory)) || job_folder::WorkerLock::held(task.directory);
 }
 
-std::vector<WorkerEnd> SlurmScheduler::wait(std::chrono::milliseconds longest) {
+std::vector<manager::WorkerEnd> SlurmScheduler::wait(std::chrono::milliseconds longest) {
   refresh();
   if (ended_.empty() && longest.count() > 0) {
-    wait_for_signal(longest);
+    process::wait_for_signal(longest);
     refresh();
   }
   return std::exchange(ended_, {});
@@ -214,10 +214,10 @@ void SlurmScheduler::refresh() {
                                   std::chrono::duration<double>(profile_.poll_interval_s));
 }
 
-void SlurmScheduler::release(const LiveBatch& batch, const std::vector<WorkerEnd>& ends) {
+void SlurmScheduler::release(const LiveBatch& batch, const std::vector<manager::WorkerEnd>& ends) {
   if (ends.empty()) return;
   std::unordered_set<std::int64_t> jobs;
-  for (const WorkerEnd& end : ends) jobs.insert(end.job);
+  for (const manager::WorkerEnd& end : ends) jobs.insert(end.job);
   for (const LiveBatch::ArrayTask& task : batch.array())
     for (const LiveBatch::Job& job : task.jobs) {
       if (!jobs.contains(job.place.job)) continue;
@@ -227,9 +227,9 @@ void SlurmScheduler::release(const LiveBatch& batch, const std::vector<WorkerEnd
   if (batch.started_here()) ended_.insert(ended_.end(), ends.begin(), ends.end());
 }
 
-void SlurmScheduler::stop(std::span<const Task> tasks, StopKind kind) {
+void SlurmScheduler::stop(std::span<const manager::Task> tasks, manager::StopKind kind) {
   std::unordered_set<std::string> directories;
-  for (const Task& task : tasks) directories.insert(key(task.directory));
+  for (const manager::Task& task : tasks) directories.insert(key(task.directory));
   for (LiveBatch& batch : live_) batch.stop(directories, kind);
   send_cancellations();
 }
@@ -237,13 +237,15 @@ void SlurmScheduler::stop(std::span<const Task> tasks, StopKind kind) {
 void SlurmScheduler::send_cancellations() {
   for (LiveBatch& batch : live_) {
     if (!batch.batch().slurm_id) continue;
-    for (const StopKind kind : {StopKind::with_checkpoint, StopKind::at_once}) {
+    for (const manager::StopKind kind :
+         {manager::StopKind::with_checkpoint, manager::StopKind::at_once}) {
       const std::vector<int> indices = batch.to_cancel(kind);
       if (indices.empty()) continue;
-      if (cluster_.cancel(*batch.batch().slurm_id, indices, kind == StopKind::with_checkpoint))
+      if (cluster_.cancel(*batch.batch().slurm_id, indices,
+                          kind == manager::StopKind::with_checkpoint))
         batch.cancelled(indices);
     }
   }
 }
 
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -5,16 +5,16 @@
 #include <memory>
 #include <unordered_map>
 
-#include "campaign/scheduler.hpp"
+#include "campaign/manager/scheduler.hpp"
 #include "campaign/slurm/cluster.hpp"
 #include "campaign/slurm/live_batch.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 
 /// Workers as array tasks of a Slurm cluster (docs/slurm.md). All that is known of a submission
 /// stands in its folder, written before sbatch is called, so that a manager which was killed at
 /// any instant finds its jobs again and submits none twice.
-class SlurmScheduler : public Scheduler {
+class SlurmScheduler : public manager::Scheduler {
  public:
   /// Takes up the batches that an earlier manager left in `jobs_folder`, which nodes must see
   /// under the same path. `program`: the eerie that nodes run.
@@ -25,21 +25,21 @@ class SlurmScheduler : public Scheduler {
   /// 0 until a quarter of the queue's room is free: a few large arrays are lighter on Slurm than
   /// many small ones.
   std::size_t free_slots() override;
-  std::vector<std::string> start(std::span<const Task> tasks) override;
-  bool holds(const Task& task) override;
-  std::vector<WorkerEnd> wait(std::chrono::milliseconds longest) override;
+  std::vector<std::string> start(std::span<const manager::Task> tasks) override;
+  bool holds(const manager::Task& task) override;
+  std::vector<manager::WorkerEnd> wait(std::chrono::milliseconds longest) override;
 
   /// Leaves a stop file in each job directory, and cancels array tasks that have no other jobs:
   /// the waiting ones, or with at_once also those that run.
-  void stop(std::span<const Task> tasks, StopKind kind) override;
+  void stop(std::span<const manager::Task> tasks, manager::StopKind kind) override;
 
  private:
   using Clock = std::chrono::steady_clock;
 
   void adopt_batches();
   void hold(const LiveBatch& batch);
-  void release(const LiveBatch& batch, const std::vector<WorkerEnd>& ends);
-  std::vector<std::string> submit(std::span<const std::vector<Task>> packs, bool first);
+  void release(const LiveBatch& batch, const std::vector<manager::WorkerEnd>& ends);
+  std::vector<std::string> submit(std::span<const std::vector<manager::Task>> packs, bool first);
   void refresh();
   void send_cancellations();
 
@@ -49,9 +49,9 @@ class SlurmScheduler : public Scheduler {
   Cluster cluster_;
   std::list<LiveBatch> live_;
   std::unordered_map<std::string, int> held_;  ///< job directory -> batches that hold it
-  std::vector<WorkerEnd> ended_;               ///< not reported yet
+  std::vector<manager::WorkerEnd> ended_;      ///< not reported yet
   Clock::time_point next_poll_{};
   bool squeue_is_silent_ = false;
 };
 
-}  // namespace eerie
+}  // namespace eerie::slurm

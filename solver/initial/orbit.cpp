@@ -7,7 +7,7 @@
 
 #include "solver/base/error.hpp"
 
-namespace eerie {
+namespace eerie::initial {
 
 RelativeOrbit orbit_at_contact(double contact, double v_imp, double theta_imp) {
   // Line of centres turned by theta_imp from +x, towards +y: then x cross v has +z.
@@ -40,4 +40,4 @@ RelativeOrbit orbit_before_contact(const RelativeOrbit& at_contact, double mu, d
   return {distance * outward, -std::sqrt(radial2) * outward + (std::sqrt(h2) / distance) * tangent};
 }
 
-}  // namespace eerie
+}  // namespace eerie::initial

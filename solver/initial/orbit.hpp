@@ -2,7 +2,7 @@
 
 #include "solver/base/vec3.hpp"
 
-namespace eerie {
+namespace eerie::initial {
 
 /// Relative position and velocity (impactor minus target) of two bodies, SI.
 struct RelativeOrbit {
@@ -19,4 +19,4 @@ RelativeOrbit orbit_at_contact(double contact, double v_imp, double theta_imp);
 /// was that far apart (v_imp below the escape speed).
 RelativeOrbit orbit_before_contact(const RelativeOrbit& at_contact, double mu, double distance);
 
-}  // namespace eerie
+}  // namespace eerie::initial

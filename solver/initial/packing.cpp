@@ -6,7 +6,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/tensor.hpp"
 
-namespace eerie {
+namespace eerie::initial {
 
 namespace {
 
@@ -144,4 +144,4 @@ std::vector<Vec3> packed_sphere(const std::string& packing, std::size_t n, doubl
   return points;
 }
 
-}  // namespace eerie
+}  // namespace eerie::initial

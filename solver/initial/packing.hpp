@@ -7,7 +7,7 @@
 #include "solver/base/random.hpp"
 #include "solver/base/vec3.hpp"
 
-namespace eerie {
+namespace eerie::initial {
 
 /// `n` points filling a sphere of the given radius at uniform number density, centre of mass at
 /// the origin. "glass": disordered but even, from repelling points in a periodic box, so no
@@ -16,4 +16,4 @@ namespace eerie {
 std::vector<Vec3> packed_sphere(const std::string& packing, std::size_t n, double radius,
                                 Random& random);
 
-}  // namespace eerie
+}  // namespace eerie::initial

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace eerie::h5 {
+namespace eerie::io::h5 {
 
 namespace {
 
@@ -268,4 +268,4 @@ std::string read_text(hid_t object, const char* name) {
   return text;
 }
 
-}  // namespace eerie::h5
+}  // namespace eerie::io::h5

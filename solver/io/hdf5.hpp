@@ -16,7 +16,7 @@
 /// The little of HDF5's C interface that snapshots need, with handles that close themselves.
 /// Files are built and read in memory: the disk is touched by plain reads and writes only, whose
 /// errors have names.
-namespace eerie::h5 {
+namespace eerie::io::h5 {
 
 /// An HDF5 call failed, or a file does not hold what was asked of it. Callers turn it into
 /// InputError or EnvironmentError.
@@ -152,4 +152,4 @@ double read_double(hid_t object, const char* name);
 std::int64_t read_integer(hid_t object, const char* name);
 std::string read_text(hid_t object, const char* name);
 
-}  // namespace eerie::h5
+}  // namespace eerie::io::h5

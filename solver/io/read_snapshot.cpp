@@ -9,7 +9,7 @@
 #include "solver/io/seal.hpp"
 #include "solver/io/snapshot.hpp"
 
-namespace eerie {
+namespace eerie::io {
 
 namespace {
 
@@ -61,13 +61,13 @@ std::string read_solver_version(hid_t file, bool sealed) {
   return h5::read_text(group, "SolverVersion");
 }
 
-State read_state(hid_t file, const OptionalFields& use) {
+particles::State read_state(hid_t file, const particles::OptionalFields& use) {
   const h5::Handle group = h5::open_group(file, "State");
   const std::int64_t version = h5::read_integer(group, "FormatVersion");
   if (version != snapshot_format_version)
     throw Failure(
         fmt::format("format version {}, this program reads {}", version, snapshot_format_version));
-  State state;
+  particles::State state;
   state.time = h5::read_double(group, "Time");
   state.step = h5::read_integer(group, "Step");
   if (!std::isfinite(state.time) || state.step < 0)
@@ -79,12 +79,13 @@ State read_state(hid_t file, const OptionalFields& use) {
   if (h5::has_attribute(group, "Softening")) state.softening = positive(group, "Softening");
   const std::size_t n = h5::rows_of(group, "ParticleIDs", h5::Layout<std::uint32_t>::type(), 1);
   if (n == 0) throw Failure("it has no particles");
-  resize(state, n, use);
-  visit_state(state, [&](const char* name, auto& array) { read_field(group, name, n, array); });
+  particles::resize(state, n, use);
+  particles::visit_state(state,
+                         [&](const char* name, auto& array) { read_field(group, name, n, array); });
   require_permutation(state.id);
   for (std::size_t i = 0; i < n; ++i) {
     if (!(state.rho[i] > 0)) throw Failure(fmt::format("Densities[{}] = {}", i, state.rho[i]));
-    if (state.body[i] > static_cast<std::uint8_t>(Body::impactor))
+    if (state.body[i] > static_cast<std::uint8_t>(particles::Body::impactor))
       throw Failure(fmt::format("BodyIDs[{}] = {}: must be 0 or 1", i, state.body[i]));
   }
   return state;
@@ -108,7 +109,7 @@ Snapshot read_file_bytes(std::string bytes) {
   Snapshot snapshot;
   snapshot.solver_version = read_solver_version(file, sealed);
   snapshot.scene = read_scene(file);
-  const OptionalFields use = optional_fields(snapshot.scene);
+  const particles::OptionalFields use = optional_fields(snapshot.scene);
   snapshot.state = read_state(file, use);
   const std::size_t n = snapshot.state.size();
   const auto from = [n](hid_t group) {
@@ -116,15 +117,15 @@ Snapshot read_file_bytes(std::string bytes) {
   };
   read_field(h5::open_group(file, "PartType0"), "Pressures", n, snapshot.pressure);
   if (h5::has(file, "Rates")) {
-    resize(snapshot.rates.emplace(), n, use);
-    visit_rates(*snapshot.rates, from(h5::open_group(file, "Rates")));
+    particles::resize(snapshot.rates.emplace(), n, use);
+    particles::visit_rates(*snapshot.rates, from(h5::open_group(file, "Rates")));
   }
   if (h5::has(file, "Restart")) {
     const h5::Handle restart = h5::open_group(file, "Restart");
     snapshot.restart.emplace().list_support = positive(restart, "ListSupport");
     snapshot.restart->builds_in_order = h5::read_integer(restart, "BuildsInOrder");
     if (snapshot.restart->builds_in_order < 0) throw Failure("BuildsInOrder is negative");
-    visit_restart(*snapshot.restart, from(restart));
+    particles::visit_restart(*snapshot.restart, from(restart));
   }
   return snapshot;
 }
@@ -166,4 +167,4 @@ Snapshot read_snapshot(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace eerie
+}  // namespace eerie::io

@@ -3,7 +3,7 @@
 #include "solver/base/sha256.hpp"
 #include "solver/io/hdf5.hpp"
 
-namespace eerie {
+namespace eerie::io {
 
 namespace {
 constexpr std::string_view mark = "eerie-sha256:";
@@ -23,4 +23,4 @@ bool take_off_seal(std::string& bytes) {
   return true;
 }
 
-}  // namespace eerie
+}  // namespace eerie::io

@@ -10,10 +10,10 @@
 #include "solver/particles/state.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::io {
 
 /// The per-particle fields that the physics of a scene needs.
-inline OptionalFields optional_fields(const Scene& scene) {
+inline particles::OptionalFields optional_fields(const Scene& scene) {
   return {has_energy(scene), has_fracture(scene), is_shear_free(scene), feels_viscosity(scene)};
 }
 
@@ -25,10 +25,10 @@ inline constexpr std::int64_t snapshot_format_version = 4;
 /// order, and every double comes back as it was.
 struct Snapshot {
   Scene scene;
-  State state;
+  particles::State state;
   std::vector<double> pressure;  ///< Pa, EOS pressure as the momentum equation uses it
-  std::optional<Rates> rates;
-  std::optional<Restart> restart;
+  std::optional<particles::Rates> rates;
+  std::optional<particles::Restart> restart;
   std::string solver_version = eerie::solver_version;  ///< that made it
 };
 
@@ -47,4 +47,4 @@ Snapshot read_snapshot(const std::filesystem::path& path);
 /// at. Throws as read_snapshot() does.
 double snapshot_time(const std::filesystem::path& path);
 
-}  // namespace eerie
+}  // namespace eerie::io

@@ -9,7 +9,7 @@
 
 #include "solver/io/units.hpp"
 
-namespace eerie {
+namespace eerie::io {
 
 namespace {
 
@@ -47,11 +47,11 @@ void alias(hid_t group, const char* target, const char* name) {
 
 /// The h of each particle, where it evolves as its density says.
 void write_smoothing_lengths(hid_t group, const Snapshot& snapshot) {
-  const State& state = snapshot.state;
+  const particles::State& state = snapshot.state;
   std::vector<double> h(state.size(), state.h);
   if (snapshot.scene.numerics.smoothing == "evolving")
     for (std::size_t i = 0; i < state.size(); ++i)
-      h[i] = evolved_h(state.h, snapshot.scene.material.rho0_kg_per_m3, state.rho[i]);
+      h[i] = particles::evolved_h(state.h, snapshot.scene.material.rho0_kg_per_m3, state.rho[i]);
   write_field<double>(group, "SmoothingLengths", h);
 }
 
@@ -111,7 +111,7 @@ template void write_field(hid_t, const char*, std::span<const SymTensor>);
 template void write_field(hid_t, const char*, std::span<const Vec3f>);
 template void write_field(hid_t, const char*, std::span<const SymTensorf>);
 
-SnapshotBox snapshot_box(const State& state) {
+SnapshotBox snapshot_box(const particles::State& state) {
   Vec3 low = state.x.front(), high = low;
   for (const Vec3& x : state.x)
     for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], x[k]), high[k] = std::max(high[k], x[k]);
@@ -121,12 +121,12 @@ SnapshotBox snapshot_box(const State& state) {
 }
 
 void write_swift_groups(hid_t file, hid_t state_group, const Snapshot& snapshot) {
-  const State& state = snapshot.state;
+  const particles::State& state = snapshot.state;
   const SnapshotBox box = snapshot_box(state);
   write_header(file, snapshot, box);
   write_settings(file);
   const h5::Handle gas = h5::new_group(file, "PartType0");
-  visit_state(state, [&](const char* name, const auto& array) {
+  particles::visit_state(state, [&](const char* name, const auto& array) {
     // Exact positions may be negative; readers need them in [0, BoxSize].
     if (static_cast<const void*>(&array) != &state.x) link(state_group, name, gas, name);
   });
@@ -162,11 +162,11 @@ void write_vtkhdf_group(hid_t file, const Snapshot& snapshot) {
   h5::write_array(vtk, "Types", std::span<const std::uint8_t>(types));
   link(file, "State/Coordinates", vtk, "Points");
   const h5::Handle point_data = h5::new_group(vtk, "PointData");
-  visit_state(snapshot.state, [&](const char* name, const auto& array) {
+  particles::visit_state(snapshot.state, [&](const char* name, const auto& array) {
     if (static_cast<const void*>(&array) != &snapshot.state.x)
       link(file, (std::string("State/") + name).c_str(), point_data, name);
   });
   link(file, "PartType0/Pressures", point_data, "Pressures");
 }
 
-}  // namespace eerie
+}  // namespace eerie::io

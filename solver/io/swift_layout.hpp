@@ -3,7 +3,7 @@
 #include "solver/io/hdf5.hpp"
 #include "solver/io/snapshot.hpp"
 
-namespace eerie {
+namespace eerie::io {
 
 /// Writes one field, with SWIFT's description and unit attributes, into `group` under the name
 /// of the field tables (state.hpp).
@@ -22,6 +22,6 @@ struct SnapshotBox {
   Vec3 low;   ///< m; Coordinates = exact position - low
   Vec3 size;  ///< m
 };
-SnapshotBox snapshot_box(const State& state);
+SnapshotBox snapshot_box(const particles::State& state);
 
-}  // namespace eerie
+}  // namespace eerie::io

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-namespace eerie {
+namespace eerie::io {
 
 /// Meaning and dimension (powers of kg, m, s) of a dataset, for its attributes.
 struct FieldUnit {
@@ -50,4 +50,4 @@ constexpr const FieldUnit* unit_of(std::string_view name) {
   return row == field_units.end() ? nullptr : row;
 }
 
-}  // namespace eerie
+}  // namespace eerie::io

@@ -8,7 +8,7 @@
 #include "solver/io/snapshot.hpp"
 #include "solver/io/swift_layout.hpp"
 
-namespace eerie {
+namespace eerie::io {
 
 namespace {
 
@@ -20,14 +20,14 @@ void require_consistent(const Snapshot& snapshot) {
     if (array.size() != n)
       throw std::logic_error(fmt::format("{}: {} entries for {} particles", name, array.size(), n));
   };
-  visit_state(snapshot.state, same_length);
+  particles::visit_state(snapshot.state, same_length);
   same_length("Pressures", snapshot.pressure);
-  if (snapshot.rates) visit_rates(*snapshot.rates, same_length);
-  if (snapshot.restart) visit_restart(*snapshot.restart, same_length);
+  if (snapshot.rates) particles::visit_rates(*snapshot.rates, same_length);
+  if (snapshot.restart) particles::visit_restart(*snapshot.restart, same_length);
 }
 
 h5::Handle write_state(hid_t file, const Snapshot& snapshot) {
-  const State& state = snapshot.state;
+  const particles::State& state = snapshot.state;
   h5::Handle group = h5::new_group(file, "State");
   h5::write_attribute(group, "FormatVersion", snapshot_format_version);
   h5::write_attribute(group, "SolverVersion", snapshot.solver_version);
@@ -49,15 +49,15 @@ void write_groups(hid_t file, const Snapshot& snapshot) {
   h5::write_attribute(parameters, "InitialConditions:periodic", std::string("0"));
   h5::write_attribute(parameters, "eerie:scene", to_json(snapshot.scene).dump());
   const h5::Handle state = write_state(file, snapshot);
-  visit_state(snapshot.state, into(state));
+  particles::visit_state(snapshot.state, into(state));
   write_swift_groups(file, state, snapshot);
   write_vtkhdf_group(file, snapshot);
-  if (snapshot.rates) visit_rates(*snapshot.rates, into(h5::new_group(file, "Rates")));
+  if (snapshot.rates) particles::visit_rates(*snapshot.rates, into(h5::new_group(file, "Rates")));
   if (snapshot.restart) {
     const h5::Handle restart = h5::new_group(file, "Restart");
     h5::write_attribute(restart, "ListSupport", snapshot.restart->list_support);
     h5::write_attribute(restart, "BuildsInOrder", std::int64_t{snapshot.restart->builds_in_order});
-    visit_restart(*snapshot.restart, into(restart));
+    particles::visit_restart(*snapshot.restart, into(restart));
   }
 }
 
@@ -77,4 +77,4 @@ void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot,
   install_text(path, bytes, previous);
 }
 
-}  // namespace eerie
+}  // namespace eerie::io

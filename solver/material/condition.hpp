@@ -1,6 +1,6 @@
 #pragma once
 
-namespace eerie {
+namespace eerie::material {
 
 /// What besides pressure decides the strength of a piece of material. Scenes without an energy
 /// equation or fracture never change it: cold rubble.
@@ -15,4 +15,4 @@ inline double damaged_pressure(double p_eos, double damage) {
   return p_eos > 0 ? p_eos : (1 - damage) * p_eos;
 }
 
-}  // namespace eerie
+}  // namespace eerie::material

@@ -7,7 +7,7 @@
 #include "solver/material/yield.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::material {
 
 /// Granular friction of fully damaged material (Drucker & Prager 1952): the deviator may not
 /// exceed Y = cohesion + mu_d p. Intact strength (megapascals) would cap Y; pressures of rubble
@@ -34,4 +34,4 @@ class DruckerPrager {
   double mu_d_, cohesion_;
 };
 
-}  // namespace eerie
+}  // namespace eerie::material

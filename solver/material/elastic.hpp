@@ -6,7 +6,7 @@
 #include "solver/material/condition.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::material {
 
 /// Hooke's law without limit, in tension too: for rubber, waves and oscillations.
 class Elastic {
@@ -21,4 +21,4 @@ class Elastic {
   double yield_factor(double, double, const Condition& = {}) const { return 1; }
 };
 
-}  // namespace eerie
+}  // namespace eerie::material

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace eerie {
+namespace eerie::material {
 
 /// Pressure and sound speed at one point of an equation of state.
 struct EosPoint {
@@ -8,4 +8,4 @@ struct EosPoint {
   double c;  ///< adiabatic sound speed, m/s
 };
 
-}  // namespace eerie
+}  // namespace eerie::material

@@ -4,7 +4,7 @@
 #include "solver/material/condition.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::material {
 
 /// No strength at all: the limit of vanishing friction, and gases.
 class Fluid {
@@ -17,4 +17,4 @@ class Fluid {
   double yield_factor(double, double, const Condition& = {}) const { return 0; }
 };
 
-}  // namespace eerie
+}  // namespace eerie::material

@@ -1,6 +1,6 @@
 #include "solver/material/grady_kipp.hpp"
 
-namespace eerie {
+namespace eerie::material {
 
 Flaws GradyKipp::deal(std::size_t particles, double V, Random& random) const {
   std::vector<std::vector<double>> of(particles);
@@ -20,4 +20,4 @@ Flaws GradyKipp::deal(std::size_t particles, double V, Random& random) const {
   return flaws;
 }
 
-}  // namespace eerie
+}  // namespace eerie::material

@@ -9,7 +9,7 @@
 #include "solver/base/random.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::material {
 
 /// Flaws of all particles: particle `id` has the activation strains of[id], in rising order.
 struct Flaws {
@@ -57,4 +57,4 @@ class GradyKipp {
   Scene::GradyKipp k_;
 };
 
-}  // namespace eerie
+}  // namespace eerie::material

@@ -5,7 +5,7 @@
 #include "solver/material/eos_point.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::material {
 
 /// p = (gamma - 1) rho u, for tests of shocks and energy. Needs material.energy "integrated".
 class IdealGas {
@@ -31,4 +31,4 @@ class IdealGas {
   double gamma_, rho0_;
 };
 
-}  // namespace eerie
+}  // namespace eerie::material

@@ -5,7 +5,7 @@
 #include "solver/material/eos_point.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::material {
 
 /// p = c0^2 (rho - rho0) with c0^2 = K/rho0: Hooke's law of small changes of volume, in tension
 /// as in compression (Gray, Monaghan & Swift 2001, eq. 2.8). For elastic tests.
@@ -29,4 +29,4 @@ class LinearEos {
   double K_, rho0_;
 };
 
-}  // namespace eerie
+}  // namespace eerie::material

@@ -8,7 +8,7 @@
 #include "solver/material/yield.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::material {
 
 /// Rock between intact and rubble (Lundborg 1968; Collins, Melosh & Ivanov 2004, eqs. 12-16):
 ///   intact  Y_i = [Y_0 + mu_i p/(1 + mu_i p/(Y_M - Y_0))] (1 - u/u_melt)
@@ -46,4 +46,4 @@ class Lundborg {
   double mu_d_, cohesion_;
 };
 
-}  // namespace eerie
+}  // namespace eerie::material

@@ -15,7 +15,7 @@
 #include "solver/material/tillotson.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::material {
 
 /// No fracture: damage is what the rheology takes it to be, and costs nothing.
 struct NoFracture {
@@ -67,4 +67,4 @@ inline Material make_material(const Scene& scene) {
           m.rheology == Fluid::token ? 0 : m.shear_modulus_Pa, m.rho0_kg_per_m3};
 }
 
-}  // namespace eerie
+}  // namespace eerie::material

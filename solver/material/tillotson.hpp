@@ -7,7 +7,7 @@
 #include "solver/material/eos_point.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::material {
 
 /// Equation of state of Tillotson (1962), as in Benz & Asphaug (1999), all branches.
 class Tillotson {
@@ -99,4 +99,4 @@ class Tillotson {
   double rho0_;
 };
 
-}  // namespace eerie
+}  // namespace eerie::material

@@ -4,7 +4,7 @@
 
 #include "solver/base/tensor.hpp"
 
-namespace eerie {
+namespace eerie::material {
 
 // Every rheology returns the deviator S radially to its yield surface: S becomes
 // yield_factor(J2, p, condition) S, J2 = S:S/2.
@@ -18,4 +18,4 @@ SymTensor yielded(const Rheology& rheology, const SymTensor& S, double p,
   return rheology.yield_factor(second_invariant(S), p, condition...) * S;
 }
 
-}  // namespace eerie
+}  // namespace eerie::material

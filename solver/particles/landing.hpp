@@ -4,7 +4,7 @@
 
 #include "solver/particles/state.hpp"
 
-namespace eerie {
+namespace eerie::particles {
 
 /// What came of a time in which nothing changed but places (numerics.rigid_flight).
 struct Landing {
@@ -13,4 +13,4 @@ struct Landing {
   std::string how;          ///< a sentence for the log
 };
 
-}  // namespace eerie
+}  // namespace eerie::particles

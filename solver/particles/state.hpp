@@ -8,7 +8,7 @@
 #include "solver/base/tensor.hpp"
 #include "solver/base/vec3.hpp"
 
-namespace eerie {
+namespace eerie::particles {
 
 /// Which of the two bodies a particle came from.
 enum class Body : std::uint8_t { target = 0, impactor = 1 };
@@ -138,4 +138,4 @@ void permute(std::vector<T>& array, const std::vector<std::uint32_t>& order) {
   array.swap(sorted);
 }
 
-}  // namespace eerie
+}  // namespace eerie::particles

@@ -103,7 +103,7 @@ struct Scene {
     std::string precision;          ///< of pair sums: "float" or "double"; the state is double
   } numerics;
 
-  /// When remnants count as settled (analysis/settling.hpp).
+  /// When remnants count as settled (analysis/ending/steadiness.hpp).
   struct Settled {
     double window_s;   ///< over which nothing changes; 0: a run does not end by this
     double shape;      ///< most change of b/a and of c/a

@@ -8,7 +8,7 @@
 #include "solver/sph/kernels/wendland_c2.hpp"
 #include "solver/sph/kernels/wendland_c4.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 
 /// Every kernel; a new one is one file in kernels/ and one entry here (and its token in
 /// scene.schema.json).
@@ -18,4 +18,4 @@ inline KernelChoice make_kernel(const std::string& token) {
   return make_by_token<KernelChoice>("scene.numerics.kernel", token);
 }
 
-}  // namespace eerie
+}  // namespace eerie::sph

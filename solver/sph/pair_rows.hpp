@@ -8,7 +8,7 @@
 #include "solver/base/tensor.hpp"
 #include "solver/tree/neighbour_list.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 
 // What a neighbour contributes to pair sums, in rows of eight or sixteen numbers. Lengths are in
 // units of the scene's smoothing length h0. Positions and velocities are relative to the first
@@ -92,7 +92,7 @@ class PairRows {
 
   void resize(std::size_t particles) {
     rows_.resize(particles);
-    origins_.resize(bucket_count(particles));
+    origins_.resize(tree::bucket_count(particles));
   }
 
   /// Takes the bucket's first particle as the origin of its rows. Before any set().
@@ -100,7 +100,7 @@ class PairRows {
 
   /// x in m, v and c in m/s, V in m^3, rows of T in Pa.
   void set(std::size_t i, const Vec3& x, const Vec3& v, double V, double c, const FluxRows& T) {
-    const Origin& o = origins_[i / bucket_size];
+    const Origin& o = origins_[i / tree::bucket_size];
     const Vec3 d = (x - o.x) * per_h0_, u = v - o.v;
     rows_.motion[i] = {real(d.x), real(d.y), real(d.z), real(V * per_h0_cubed_),
                        real(u.x), real(u.y), real(u.z), real(c)};
@@ -126,17 +126,18 @@ class PairRows {
   }
 
   /// Copies the rows of `list` relative to the origin of `bucket`, with the dummy row last.
-  void gather(std::size_t bucket, const NeighbourList& lists, Rows<Real, terms>& local) const {
-    const BucketList& list = lists[bucket];
+  void gather(std::size_t bucket, const tree::NeighbourList& lists,
+              Rows<Real, terms>& local) const {
+    const tree::BucketList& list = lists[bucket];
     const std::size_t dummy = list.rows.size();
-    local.grow_to(std::max(dummy + 1, bucket_size));
+    local.grow_to(std::max(dummy + 1, tree::bucket_size));
     const Origin& home = origins_[bucket];
     std::size_t from = bucket;
     Shift shift;
     for (std::size_t k = 0; k < list.rows.size(); ++k) {
       const std::uint32_t j = list.rows[k];
-      if (j / bucket_size != from) {
-        from = j / bucket_size;
+      if (j / tree::bucket_size != from) {
+        from = j / tree::bucket_size;
         shift = Shift((origins_[from].x - home.x) * per_h0_, origins_[from].v - home.v);
       }
       local.motion[k] = shift(rows_.motion[j]), local.stress[k] = shift(rows_.stress[j]);
@@ -177,9 +178,9 @@ class PairRows {
   };
 
   /// Row k becomes particle j as seen in a mirror.
-  void mirror(std::uint32_t j, const Image& image, const Origin& home, Rows<Real, terms>& local,
-              std::size_t k) const {
-    const Origin& o = origins_[j / bucket_size];
+  void mirror(std::uint32_t j, const tree::MirrorImage& image, const Origin& home,
+              Rows<Real, terms>& local, std::size_t k) const {
+    const Origin& o = origins_[j / tree::bucket_size];
     const MotionRow<Real>& r = rows_.motion[j];
     const Vec3 at = o.x + h0_ * Vec3{double(r.x), double(r.y), double(r.z)};
     const Vec3 x = (image(at) - home.x) * per_h0_;
@@ -205,4 +206,4 @@ class PairRows {
   std::vector<Origin> origins_;
 };
 
-}  // namespace eerie
+}  // namespace eerie::sph

@@ -8,7 +8,7 @@
 #include "solver/sph/kernel.hpp"
 #include "solver/sph/pair_rows.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 
 /// Sums over the neighbours j of one particle i, with x_ij = x_i - x_j, v_ij = v_i - v_j; of
 /// several particles at once where T is a Pack.
@@ -74,14 +74,15 @@ class PairSums {
         inverse_w_spacing_(extra.spacing > 0 ? 1 / Kernel::w(extra.spacing / h) : 0) {}
 
   template <class Finish>
-  void sweep(const NeighbourList& lists, std::size_t particles, Finish&& finish) const {
+  void sweep(const tree::NeighbourList& lists, std::size_t particles, Finish&& finish) const {
 #pragma omp parallel
     {
       Desk desk;
 #pragma omp for schedule(dynamic, 2)
       for (std::size_t b = 0; b < lists.buckets(); ++b) {
         rows.gather(b, lists, desk.local);
-        const std::size_t first = b * bucket_size, n = std::min(bucket_size, particles - first);
+        const std::size_t first = b * tree::bucket_size,
+                          n = std::min(tree::bucket_size, particles - first);
         for (std::size_t k = 0; k < n; ++k) sum(k, lists[b], desk);
         for (std::size_t k = 0; k < n; k += lanes<Real>) {
           std::size_t at = k;
@@ -125,11 +126,11 @@ class PairSums {
     std::vector<Pairs> pairs;
     std::vector<ExtraPairs> extra;
     std::vector<std::array<P, 4>> weights;
-    std::vector<Raw> raw = std::vector<Raw>(bucket_size + lanes<Real>);
+    std::vector<Raw> raw = std::vector<Raw>(tree::bucket_size + lanes<Real>);
   };
 
   /// One particle: entries of its list are places of rows of eight.
-  void sum(std::size_t k, const BucketList& list, Desk& desk) const {
+  void sum(std::size_t k, const tree::BucketList& list, Desk& desk) const {
     const std::uint16_t* places = list.index.data() + list.begin[k];
     const std::size_t packs = (list.begin[k + 1] - list.begin[k]) / lanes<Real>;
     if (desk.pairs.size() < packs) {
@@ -311,4 +312,4 @@ class PairSums {
   double inverse_w_spacing_;
 };
 
-}  // namespace eerie
+}  // namespace eerie::sph

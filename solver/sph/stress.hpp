@@ -5,7 +5,7 @@
 
 #include "solver/base/tensor.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 
 /// Below this determinant of C the particle has too few neighbours around it for a linear
 /// correction (a plane or a line of them, or none) and the identity is used.
@@ -74,4 +74,4 @@ SymTensorOf<T> stress_rate(const SymTensorOf<T>& S, const Mat3Of<T>& g, double s
           twoG * (g[1][2] + g[2][1]) / 2 + ryz * (S.zz - S.yy) - rxy * S.xz - rxz * S.xy};
 }
 
-}  // namespace eerie
+}  // namespace eerie::sph

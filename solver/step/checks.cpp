@@ -5,12 +5,12 @@
 
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
-#include "solver/initial/bodies.hpp"
+#include "solver/base/sphere.hpp"
 #include "solver/step/solver.hpp"
 
 // What stops a Solver: states that no sound run reaches.
 
-namespace eerie {
+namespace eerie::step {
 
 /// Speeds that no sound impact exceeds: ten times what the bodies bring and fall with, and, where
 /// stresses alone move them, their waves.
@@ -24,7 +24,8 @@ void Solver::expect_speeds() {
   begun_ = state_.time;
   const double mass = state_.mass * static_cast<double>(state_.size());
   const double radius = std::cbrt(3 * mass / (4 * pi * material_.reference_density));
-  if (scene_.environment.self_gravity) fastest += escape_speed(material_.reference_density, radius);
+  if (scene_.environment.self_gravity)
+    fastest += escape_speed({radius, material_.reference_density});
   fastest_expected_ = 10 * fastest;
   if (fields_.energy || !scene_.environment.self_gravity) {
     double c = 0;
@@ -48,7 +49,7 @@ void Solver::check_positions() {
 #pragma omp parallel for schedule(static) reduction(min : lost, through) reduction(+ : alone)
   for (std::size_t i = 0; i < state_.size(); ++i) {
     if (!(norm2(state_.x[i]) < reach * reach)) lost = std::min(lost, i);
-    for (const Mirror& wall : walls_)
+    for (const tree::Mirror& wall : walls_)
       if ((state_.x[i][wall.axis] < wall.at) == wall.low) through = std::min(through, i);
     alone += rates_.correction[i] == SymTensorf{1, 1, 1, 0, 0, 0};
   }
@@ -70,4 +71,4 @@ void Solver::check(std::size_t offender, const char* kind, const char* remedy) c
                   norm(state_.v[offender]), remedy, scene_.numerics.cfl));
 }
 
-}  // namespace eerie
+}  // namespace eerie::step

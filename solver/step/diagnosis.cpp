@@ -5,7 +5,7 @@
 #include "solver/sph/kernel.hpp"
 #include "solver/step/solver.hpp"
 
-namespace eerie {
+namespace eerie::step {
 
 namespace {
 
@@ -20,16 +20,17 @@ struct Arrangement {
 
 /// Of every particle, by plain sums.
 template <class Kernel>
-std::vector<Arrangement> arrangements(const State& s, double reference_density) {
-  KdTree tree(s.size());
+std::vector<Arrangement> arrangements(const particles::State& s, double reference_density) {
+  tree::KdTree tree(s.size());
   tree.fit(s.x);
-  NeighbourList lists(2 * s.h, 0);
+  tree::NeighbourList lists(2 * s.h, 0);
   lists.build(tree, s.x);
   std::vector<Arrangement> found(s.size());
   const double scale = Kernel::normalisation / cubed(s.h);
 #pragma omp parallel for schedule(dynamic, 8)
   for (std::size_t b = 0; b < lists.buckets(); ++b) {
-    for (std::size_t k = 0, i = b * bucket_size; k < bucket_size && i < s.size(); ++k, ++i) {
+    for (std::size_t k = 0, i = b * tree::bucket_size; k < tree::bucket_size && i < s.size();
+         ++k, ++i) {
       double density = s.mass * scale * Kernel::w(0.0), neighbours = 0;
       Vec3 gradient;
       lists.visit_listed(b, k, s.x, [&](const Vec3& there) {
@@ -48,17 +49,17 @@ std::vector<Arrangement> arrangements(const State& s, double reference_density) 
 
 }  // namespace
 
-Diagnosis diagnose(const Snapshot& snapshot) {
+Diagnosis diagnose(const io::Snapshot& snapshot) {
   // A solver whose friction feels viscosity has summed what viscosity carries.
   Scene scene = snapshot.scene;
   scene.material.drucker_prager.pressure = "total";
   scene.environment.self_gravity = false;  // sums do not need it, and it costs more than they do
   const Solver solver(scene, snapshot.state);
-  const State& s = solver.state();
+  const particles::State& s = solver.state();
   const double reference_density = solver.material().reference_density;
   const std::vector<Arrangement> arrangement =
       std::visit([&](auto kernel) { return arrangements<decltype(kernel)>(s, reference_density); },
-                 make_kernel(scene.numerics.kernel));
+                 sph::make_kernel(scene.numerics.kernel));
   Diagnosis d;
   double volume = 0, inside = 0;
   for (std::size_t i = 0; i < s.size(); ++i) {
@@ -84,4 +85,4 @@ Diagnosis diagnose(const Snapshot& snapshot) {
   return d;
 }
 
-}  // namespace eerie
+}  // namespace eerie::step

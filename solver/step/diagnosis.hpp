@@ -2,7 +2,7 @@
 
 #include "solver/io/snapshot.hpp"
 
-namespace eerie {
+namespace eerie::step {
 
 /// How sound the numerical picture of the rubble is at one moment: what carries its load, and
 /// whether its density is that of its particles' arrangement.
@@ -17,6 +17,6 @@ struct Diagnosis {
 };
 
 /// Costs a few steps. `snapshot` in memory order, as a Solver or a file holds it.
-Diagnosis diagnose(const Snapshot& snapshot);
+Diagnosis diagnose(const io::Snapshot& snapshot);
 
-}  // namespace eerie
+}  // namespace eerie::step

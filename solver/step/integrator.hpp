@@ -6,7 +6,7 @@
 #include "solver/step/integrators/leapfrog.hpp"
 #include "solver/step/integrators/leapfrog_pece.hpp"
 
-namespace eerie {
+namespace eerie::step {
 
 // An integrator is a list of moves of a system:
 //   kick_and_drift(a, b)  everything but positions goes on for a seconds with the rates at hand,
@@ -21,4 +21,4 @@ namespace eerie {
 /// Every integrator.
 using Integrator = std::variant<Leapfrog, LeapfrogPece>;
 
-}  // namespace eerie
+}  // namespace eerie::step

@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-namespace eerie {
+namespace eerie::step {
 
 Scene softened(Scene scene, double factor) {
   const double moduli = factor * factor;
@@ -14,10 +14,10 @@ Scene softened(Scene scene, double factor) {
   return scene;
 }
 
-State with_softening(State state, const std::vector<double>& pressure, const Scene& scene,
-                     double softening) {
+particles::State with_softening(particles::State state, const std::vector<double>& pressure,
+                                const Scene& scene, double softening) {
   state.softening = softening;
-  const Material other = make_material(softened(scene, softening));
+  const material::Material other = material::make_material(softened(scene, softening));
   std::visit(
       [&](const auto& eos) {
         for (std::size_t i = 0; i < state.size(); ++i)
@@ -27,9 +27,10 @@ State with_softening(State state, const std::vector<double>& pressure, const Sce
   return state;
 }
 
-State softened(State state, const std::vector<double>& pressure, const Scene& scene) {
+particles::State softened(particles::State state, const std::vector<double>& pressure,
+                          const Scene& scene) {
   const double softening = state.softening * scene.numerics.late_sound_speed;
   return with_softening(std::move(state), pressure, scene, softening);
 }
 
-}  // namespace eerie
+}  // namespace eerie::step

@@ -8,7 +8,7 @@
 
 // The rates of a Solver: laws of the material, rows, neighbour sums.
 
-namespace eerie {
+namespace eerie::step {
 
 void Solver::evaluate(double ahead) {
   predict_material(ahead);
@@ -16,8 +16,8 @@ void Solver::evaluate(double ahead) {
 }
 
 /// What strength depends on, at the time of the rates.
-Condition Solver::condition(std::size_t i, double ahead) const {
-  Condition now{0, material_.initial_damage()};
+material::Condition Solver::condition(std::size_t i, double ahead) const {
+  material::Condition now{0, material_.initial_damage()};
   if (fields_.energy) now.u = state_.u[i] + ahead * rates_.du_dt[i];
   if (fields_.damage) now.damage = cubed(state_.damage_cbrt[i]);
   return now;
@@ -28,12 +28,12 @@ void Solver::predict_material(double ahead) {
   const StageTimer timer(stages_, Stage::material);
   std::size_t too_thin = nobody, too_cold = nobody;
 #pragma omp parallel for schedule(static) reduction(min : too_thin, too_cold)
-  for (std::size_t b = 0; b < bucket_count(state_.size()); ++b) {
-    std::array<Predicted, bucket_size> bucket;
+  for (std::size_t b = 0; b < tree::bucket_count(state_.size()); ++b) {
+    std::array<Predicted, tree::bucket_size> bucket;
     apply_laws(b, ahead, bucket);
     fill_rows(b, ahead, bucket);
-    const std::size_t first = b * bucket_size;
-    for (std::size_t i = first; i < std::min(first + bucket_size, state_.size()); ++i) {
+    const std::size_t first = b * tree::bucket_size;
+    for (std::size_t i = first; i < std::min(first + tree::bucket_size, state_.size()); ++i) {
       if (!(bucket[i - first].rho > 0)) too_thin = std::min(too_thin, i);
       if (!(bucket[i - first].c >= 0)) too_cold = std::min(too_cold, i);
     }
@@ -43,16 +43,18 @@ void Solver::predict_material(double ahead) {
 }
 
 /// The laws of one bucket; dispatched once for its particles.
-void Solver::apply_laws(std::size_t b, double ahead, std::array<Predicted, bucket_size>& out) {
-  const std::size_t first = b * bucket_size, last = std::min(first + bucket_size, state_.size());
+void Solver::apply_laws(std::size_t b, double ahead,
+                        std::array<Predicted, tree::bucket_size>& out) {
+  const std::size_t first = b * tree::bucket_size,
+                    last = std::min(first + tree::bucket_size, state_.size());
   std::visit(
       [&](const auto& eos, const auto& rheology) {
         for (std::size_t i = first; i < last; ++i) {
           const double rho = predicted_density(i, ahead);
-          const Condition now = condition(i, ahead);
-          const EosPoint point = eos(rho, now.u);
+          const material::Condition now = condition(i, ahead);
+          const material::EosPoint point = eos(rho, now.u);
           double p = rheology.pressure(point.p, now);
-          if (has_room(i)) p = std::min(p, 0.0);
+          if (is_void(i)) p = std::min(p, 0.0);
           pressure_[i] = p;
           const SymTensor trial = state_.S[i] + ahead * rates_.dS_dt[i];
           yield_factor_[i] = static_cast<float>(
@@ -71,15 +73,15 @@ SymTensor Solver::predicted_stress(std::size_t i, double ahead) const {
 /// The momentum flux -p 1 + S L, or (-p 1 + S) L where the continuity equation is corrected too,
 /// with the L of the last sums: it follows the arrangement of the neighbours, which hardly moves
 /// in a step.
-FluxRows Solver::momentum_flux(std::size_t i, double ahead) const {
+sph::FluxRows Solver::momentum_flux(std::size_t i, double ahead) const {
   const SymTensor S = predicted_stress(i, ahead);
   const double p = pressure_[i];
   Quad<double> x{1, 0, 0, 0}, y{0, 1, 0, 0}, z{0, 0, 1, 0};  // rows of L
-  FluxRows pressure = {p * x, p * y, p * z};
+  sph::FluxRows pressure = {p * x, p * y, p * z};
   if (gradient_ == Gradient::corrected || gradient_ == Gradient::corrected_fully) {
     const SymTensor L = to_double(rates_.correction[i]);
     if (gradient_ == Gradient::corrected_fully) {
-      const SymTensor M = moderate(L);
+      const SymTensor M = sph::moderate(L);
       pressure = {p * Quad<double>{M.xx, M.xy, M.xz, 0}, p * Quad<double>{M.xy, M.yy, M.yz, 0},
                   p * Quad<double>{M.xz, M.yz, M.zz, 0}};
     }
@@ -92,8 +94,9 @@ FluxRows Solver::momentum_flux(std::size_t i, double ahead) const {
 }
 
 void Solver::fill_rows(std::size_t b, double ahead,
-                       const std::array<Predicted, bucket_size>& bucket) {
-  const std::size_t first = b * bucket_size, last = std::min(first + bucket_size, state_.size());
+                       const std::array<Predicted, tree::bucket_size>& bucket) {
+  const std::size_t first = b * tree::bucket_size,
+                    last = std::min(first + tree::bucket_size, state_.size());
   const double age = gravity_age();
   visit_sums([&](auto& sums) {
     sums.rows.set_origin(b, state_.x[first], state_.v[first]);
@@ -123,21 +126,22 @@ SymTensor Solver::artificial_stress(std::size_t i, double ahead) const {
 
 /// A thin layer on a wall meets its own images there: twice the neighbours in one plane, and sound.
 bool Solver::is_at_wall(std::size_t i) const {
-  return std::ranges::any_of(walls_, [&](const Mirror& wall) {
+  return std::ranges::any_of(walls_, [&](const tree::Mirror& wall) {
     return std::abs(state_.x[i][wall.axis] - wall.at) < state_.h;
   });
 }
 
 /// Rates of the energy and its parts, from the sums of particle i.
-void Solver::set_heating(std::size_t i, double ahead, const NeighbourSums& s) {
-  const FluxRows T = momentum_flux(i, ahead);
+void Solver::set_heating(std::size_t i, double ahead, const sph::NeighbourSums& s) {
+  const sph::FluxRows T = momentum_flux(i, ahead);
   double strain_power = 0;
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) strain_power += T[static_cast<std::size_t>(a)][b] * s.G[a][b];
   const double rho = filling_density(predicted_density(i, ahead));
-  const double dilation = gradient_ == Gradient::corrected_fully
-                              ? trace(s.G * to_matrix(moderate(to_double(rates_.correction[i]))))
-                              : trace(s.G);
+  const double dilation =
+      gradient_ == Gradient::corrected_fully
+          ? trace(s.G * to_matrix(sph::moderate(to_double(rates_.correction[i]))))
+          : trace(s.G);
   rates_.viscous_heating[i] = s.heat / rho;
   rates_.shear_power[i] = (strain_power + pressure_[i] * dilation) / rho;
   rates_.du_dt[i] = (strain_power + s.heat) / rho;
@@ -145,7 +149,8 @@ void Solver::set_heating(std::size_t i, double ahead, const NeighbourSums& s) {
 
 /// Rates of `count` particles from i on; several at once, as everything here is arithmetic.
 /// Returns the first whose neighbourhood has collapsed, or nobody.
-std::size_t Solver::set_rates(std::size_t i, std::size_t count, double ahead, const PackedSums& s) {
+std::size_t Solver::set_rates(std::size_t i, std::size_t count, double ahead,
+                              const sph::PackedSums& s) {
   using P = DoublePack;
   const P rho = gathered(count, [&](std::size_t l) { return predicted_density(i + l, ahead); });
   const SymTensorOf<P> trial = gathered_tensors(count, &state_.S[i]) +
@@ -155,23 +160,25 @@ std::size_t Solver::set_rates(std::size_t i, std::size_t count, double ahead, co
   SymTensorOf<P> L{P{} + 1, P{} + 1, P{} + 1, P{}, P{}, P{}};
   std::size_t collapsed = nobody;
   if (gradient_ != Gradient::plain) {
-    L = correction_matrix(s.C);
+    L = sph::correction_matrix(s.C);
     const P determinants = determinant(s.C);
     for (std::size_t l = count; l-- > 0;)
-      if (!(determinants[l] > smallest_correctable_determinant) &&
-          is_collapsed(lane(s, l).C, rho[l] / material_.reference_density) &&
+      if (!(determinants[l] > sph::smallest_correctable_determinant) &&
+          sph::is_collapsed(sph::lane(s, l).C, rho[l] / material_.reference_density) &&
           lists_.is_bulk(i + l) && !is_at_wall(i + l))
         collapsed = i + l;
   }
   const P thin = splat(thinnest_), per_rho = 1 / (rho < thin ? thin : rho);
   scatter_tensors(count, L, &rates_.correction[i]);
   const Mat3Of<P> gradient = s.G * to_matrix(L);
-  const P divergence =
-      gradient_ == Gradient::corrected_fully ? trace(s.G * to_matrix(moderate(L))) : trace(s.G);
-  scatter_tensors(count, stress_rate(S, gradient, material_.shear_modulus), &rates_.dS_dt[i]);
+  const P divergence = gradient_ == Gradient::corrected_fully
+                           ? trace(s.G * to_matrix(sph::moderate(L)))
+                           : trace(s.G);
+  scatter_tensors(count, sph::stress_rate(S, gradient, material_.shear_modulus), &rates_.dS_dt[i]);
   scatter(count, P(-rho * divergence),
           [&](std::size_t l, double rate) { rates_.drho_dt[i + l] = rate; });
-  if (fields_.shear) scatter_tensors(count, deviatoric_strain(gradient), &rates_.shear_rate[i]);
+  if (fields_.shear)
+    scatter_tensors(count, sph::deviatoric_strain(gradient), &rates_.shear_rate[i]);
   if (fields_.viscous_pressure)
     scatter(count, s.viscous_pressure, [&](std::size_t l, double p) {
       rates_.viscous_pressure[i + l] = static_cast<float>(p);
@@ -191,7 +198,7 @@ void Solver::sum_over_neighbours(double ahead) {
     sums.sweep(lists_, state_.size(), [&](std::size_t i, std::size_t count, const auto& s) {
       if constexpr (std::remove_cvref_t<decltype(sums)>::extended)
         if (fields_.energy)
-          for (std::size_t l = 0; l < count; ++l) set_heating(i + l, ahead, lane(s, l));
+          for (std::size_t l = 0; l < count; ++l) set_heating(i + l, ahead, sph::lane(s, l));
       if (const std::size_t collapsed = set_rates(i, count, ahead, s); collapsed != nobody) {
 #pragma omp critical
         singular = std::min(singular, collapsed);
@@ -206,7 +213,7 @@ void Solver::sum_over_neighbours(double ahead) {
 /// Cracks grow while the stress at the end of the step pulls.
 void Solver::grow_damage(double duration) {
   const StageTimer timer(stages_, Stage::material);
-  const auto& law = std::get<GradyKipp>(material_.fracture);
+  const auto& law = std::get<material::GradyKipp>(material_.fracture);
   const double E = material_.young_modulus(), c_l = material_.longitudinal_speed();
   const double R_s = std::cbrt(3 * state_.mass / (4 * pi * material_.reference_density));
 #pragma omp parallel for schedule(static)
@@ -220,4 +227,4 @@ void Solver::grow_damage(double duration) {
   }
 }
 
-}  // namespace eerie
+}  // namespace eerie::step

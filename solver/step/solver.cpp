@@ -13,7 +13,7 @@
 #include "solver/step/late.hpp"
 #include "solver/step/walls.hpp"
 
-namespace eerie {
+namespace eerie::step {
 
 namespace {
 
@@ -34,7 +34,7 @@ constexpr double growth_room = 1.02;
 constexpr double thinnest_filling = 0.2;
 
 /// With alpha h and beta h^2 of the particles that the scene names.
-Viscosity viscosity_of(const Scene& scene) {
+sph::Viscosity viscosity_of(const Scene& scene) {
   const double ratio = viscosity_length_ratio(scene);
   return {ratio * scene.numerics.viscosity_alpha, ratio * ratio * scene.numerics.viscosity_beta};
 }
@@ -43,36 +43,39 @@ Viscosity viscosity_of(const Scene& scene) {
 
 Solver::Sums Solver::make_sums() const {
   const Scene::Numerics& n = scene_.numerics;
-  const Viscosity viscosity = viscosity_of(scene_);
-  const ExtraTerms extra{evolving_h_, n.artificial_stress > 0,
-                         std::cbrt(state_.mass / material_.reference_density), fields_.shear};
+  const sph::Viscosity viscosity = viscosity_of(scene_);
+  const sph::ExtraTerms extra{evolving_h_, n.artificial_stress > 0,
+                              std::cbrt(state_.mass / material_.reference_density), fields_.shear};
   const bool all =
       fields_.energy || fields_.viscous_pressure || extra.evolving_h || extra.artificial_stress;
   return std::visit(
       [&](auto kernel) -> Sums {
         using Kernel = decltype(kernel);
-        const auto make = [&]<Terms t>(std::integral_constant<Terms, t>) -> Sums {
+        const auto make = [&]<sph::Terms t>(std::integral_constant<sph::Terms, t>) -> Sums {
           if (n.precision == "double")
-            return SumsOf<t>(PairSums<double, Kernel, t>(state_.h, state_.mass, viscosity, extra));
-          return SumsOf<t>(PairSums<float, Kernel, t>(state_.h, state_.mass, viscosity, extra));
+            return SumsOf<t>(
+                sph::PairSums<double, Kernel, t>(state_.h, state_.mass, viscosity, extra));
+          return SumsOf<t>(
+              sph::PairSums<float, Kernel, t>(state_.h, state_.mass, viscosity, extra));
         };
-        if (all) return make(std::integral_constant<Terms, Terms::all>{});
-        if (fields_.shear) return make(std::integral_constant<Terms, Terms::shear_free>{});
-        return make(std::integral_constant<Terms, Terms::basic>{});
+        if (all) return make(std::integral_constant<sph::Terms, sph::Terms::all>{});
+        if (fields_.shear)
+          return make(std::integral_constant<sph::Terms, sph::Terms::shear_free>{});
+        return make(std::integral_constant<sph::Terms, sph::Terms::basic>{});
       },
-      make_kernel(n.kernel));
+      sph::make_kernel(n.kernel));
 }
 
-Solver::Solver(const Scene& scene, State state)
-    : Solver(scene, std::move(state), Rates{}, Restart{}, {}) {}
+Solver::Solver(const Scene& scene, particles::State state)
+    : Solver(scene, std::move(state), particles::Rates{}, particles::Restart{}, {}) {}
 
-Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& restart,
-               std::vector<double> pressure)
+Solver::Solver(const Scene& scene, particles::State state, particles::Rates rates,
+               const particles::Restart& restart, std::vector<double> pressure)
     : scene_(softened(scene, state.softening)),
       state_(std::move(state)),
       rates_(std::move(rates)),
-      material_(make_material(scene_)),
-      fields_(optional_fields(scene)),
+      material_(material::make_material(scene_)),
+      fields_(io::optional_fields(scene)),
       gradient_(scene.numerics.gradient == "corrected-fully"  ? Gradient::corrected_fully
                 : scene.numerics.gradient == "corrected"      ? Gradient::corrected
                 : scene.numerics.gradient == "corrected-rate" ? Gradient::corrected_rate
@@ -87,24 +90,24 @@ Solver::Solver(const Scene& scene, State state, Rates rates, const Restart& rest
       integrator_(
           make_by_token<Integrator>("scene.numerics.integrator", scene.numerics.integrator)),
       gravity_({state_.mass, state_.h, scene.numerics.opening_angle}),
-      lists_(2 * state_.h, 2 * state_.h * scene.numerics.list_skin, images_of(walls_),
+      lists_(2 * state_.h, 2 * state_.h * scene.numerics.list_skin, tree::images_of(walls_),
              scene.numerics.precision == "double" ? row_units<double> : row_units<float>),
       tree_(state_.size()),
       pressure_(std::move(pressure)) {
   const std::size_t n = state_.size();
   require_walls_apart(scene.environment, lists_.support() * (1 + scene.numerics.list_skin));
-  resize(state_, n, fields_);
+  particles::resize(state_, n, fields_);
   yield_factor_.resize(n);
   pressure_.resize(n);
   visit_sums([n](auto& sums) { sums.rows.resize(n); });
-  if (const auto* law = std::get_if<GradyKipp>(&material_.fracture)) {
+  if (const auto* law = std::get_if<material::GradyKipp>(&material_.fracture)) {
     Random random(static_cast<std::uint64_t>(scene.numerics.seed), flaw_stream);
     flaws_ =
         law->deal(n, state_.mass * static_cast<double>(n) / material_.reference_density, random);
   }
   expect_speeds();
   if (restart.list_x.empty()) {
-    resize(rates_, n, fields_);
+    particles::resize(rates_, n, fields_);
     reorder();
     tree_.fit(state_.x);
     lists_.set_support(largest_support());
@@ -151,7 +154,7 @@ void Solver::kick_and_drift(double kick, double drift) {
     for (std::size_t i = 0; i < state_.size(); ++i) {
       state_.v[i] += kick * (rates_.dv_dt[i] + gravity(i, age));
       state_.x[i] += drift * state_.v[i];
-      state_.rho[i] = changed_density(state_.rho[i], kick * rates_.drho_dt[i]);
+      state_.rho[i] = particles::changed_density(state_.rho[i], kick * rates_.drho_dt[i]);
       state_.S[i] += kick * rates_.dS_dt[i];
     }
     if (fields_.energy) heat(kick);
@@ -167,10 +170,10 @@ void Solver::turn_back(double drift) {
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < state_.size(); ++i) {
     const Vec3 before = state_.x[i] - drift * state_.v[i];
-    for (const Mirror& wall : walls_) {
+    for (const tree::Mirror& wall : walls_) {
       const auto inside = [&](double at) { return (at >= wall.at) == wall.low; };
       if (inside(state_.x[i][wall.axis]) || !inside(before[wall.axis])) continue;
-      const Image image = reflected({}, wall);
+      const tree::MirrorImage image = tree::reflected({}, wall);
       state_.x[i] = image(state_.x[i]);
       state_.v[i] = image.velocity(state_.v[i]);
       state_.S[i] = image.stress(state_.S[i]);
@@ -216,7 +219,7 @@ void Solver::update_lists() {
 
 /// h of a particle: constant, or as its density says, so that the number of neighbours stays.
 double Solver::smoothing_length(double rho) const {
-  return evolving_h_ ? evolved_h(state_.h, material_.reference_density, rho) : state_.h;
+  return evolving_h_ ? particles::evolved_h(state_.h, material_.reference_density, rho) : state_.h;
 }
 
 double Solver::largest_support() const {
@@ -225,10 +228,12 @@ double Solver::largest_support() const {
 }
 
 void Solver::reorder() {
-  const std::vector<std::uint32_t> order = kd_order(state_.x, state_.id);
-  visit_state(state_, [&](const char*, auto& array) { permute(array, order); });
-  visit_rates(rates_, [&](const char*, auto& array) { permute(array, order); });
-  if (!has_room_.empty()) permute(has_room_, order);
+  const std::vector<std::uint32_t> order = tree::kd_order(state_.x, state_.id);
+  particles::visit_state(state_,
+                         [&](const char*, auto& array) { particles::permute(array, order); });
+  particles::visit_rates(rates_,
+                         [&](const char*, auto& array) { particles::permute(array, order); });
+  if (!has_room_.empty()) particles::permute(has_room_, order);
 }
 
 /// The stress returns to the yield surface.
@@ -242,7 +247,7 @@ void Solver::kick(double duration) {
 #pragma omp parallel for schedule(static) reduction(min : offender)
         for (std::size_t i = 0; i < state_.size(); ++i) {
           state_.v[i] += duration * (rates_.dv_dt[i] + gravity(i, age));
-          state_.rho[i] = changed_density(state_.rho[i], duration * rates_.drho_dt[i]);
+          state_.rho[i] = particles::changed_density(state_.rho[i], duration * rates_.drho_dt[i]);
           state_.S[i] = yielded(rheology, state_.S[i] + duration * rates_.dS_dt[i],
                                 confining_pressure(i), condition(i, 0));
           if (!is_finite(state_.v[i]) || !std::isfinite(trace(state_.S[i]) + state_.rho[i]))
@@ -339,4 +344,4 @@ void Solver::spin_up(const Vec3& omega) {
   for (std::size_t i = 0; i < state_.size(); ++i) state_.v[i] += cross(omega, state_.x[i]);
 }
 
-}  // namespace eerie
+}  // namespace eerie::step

@@ -14,7 +14,7 @@
 #include "solver/tree/kd_tree.hpp"
 #include "solver/tree/neighbour_list.hpp"
 
-namespace eerie {
+namespace eerie::step {
 
 /// Integrates one State under the laws of a Scene (its bodies and impact are not looked at).
 /// Equations and scheme: docs/equations.md.
@@ -27,10 +27,10 @@ class Solver {
  public:
   /// Takes the state, sorts it into memory order and evaluates its first rates. Fields of
   /// optional physics that the state lacks start at zero energy and undamaged.
-  Solver(const Scene& scene, State state);
+  Solver(const Scene& scene, particles::State state);
   /// Goes on from a checkpoint: memory order, lists, rates and pressures as they were.
-  Solver(const Scene& scene, State state, Rates rates, const Restart& restart,
-         std::vector<double> pressure);
+  Solver(const Scene& scene, particles::State state, particles::Rates rates,
+         const particles::Restart& restart, std::vector<double> pressure);
 
   /// One cycle of steps, shorter where `end_time` is near. Throws
   /// NumericalError when the state stops being physical; the state is then of no use.
@@ -42,11 +42,13 @@ class Solver {
   /// Adds a rotation `omega` about the origin to all velocities; for spinning bodies up.
   void spin_up(const Vec3& omega);
 
-  const State& state() const { return state_; }
-  const Rates& rates() const { return rates_; }
-  Restart restart() const { return {lists_.built_at(), lists_.support(), builds_in_order_}; }
+  const particles::State& state() const { return state_; }
+  const particles::Rates& rates() const { return rates_; }
+  particles::Restart restart() const {
+    return {lists_.built_at(), lists_.support(), builds_in_order_};
+  }
   const std::vector<double>& pressure() const { return pressure_; }
-  const Material& material() const { return material_; }
+  const material::Material& material() const { return material_; }
   double dt() const { return dt_; }
   const StageTimes& stages() const { return stages_; }
   StageTimes& stages() { return stages_; }
@@ -61,12 +63,13 @@ class Solver {
 
  private:
   static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
-  template <Terms terms>
-  using SumsOf =
-      std::variant<PairSums<float, CubicSpline, terms>, PairSums<float, WendlandC2, terms>,
-                   PairSums<float, WendlandC4, terms>, PairSums<double, CubicSpline, terms>,
-                   PairSums<double, WendlandC2, terms>, PairSums<double, WendlandC4, terms>>;
-  using Sums = std::variant<SumsOf<Terms::basic>, SumsOf<Terms::shear_free>, SumsOf<Terms::all>>;
+  template <sph::Terms terms>
+  using SumsOf = std::variant<
+      sph::PairSums<float, sph::CubicSpline, terms>, sph::PairSums<float, sph::WendlandC2, terms>,
+      sph::PairSums<float, sph::WendlandC4, terms>, sph::PairSums<double, sph::CubicSpline, terms>,
+      sph::PairSums<double, sph::WendlandC2, terms>, sph::PairSums<double, sph::WendlandC4, terms>>;
+  using Sums = std::variant<SumsOf<sph::Terms::basic>, SumsOf<sph::Terms::shear_free>,
+                            SumsOf<sph::Terms::all>>;
   Sums make_sums() const;
   template <class Visit>
   void visit_sums(Visit&& visit) {
@@ -86,15 +89,16 @@ class Solver {
   void reorder();
   void find_voids();
   void close_voids();
-  bool has_room(std::size_t i) const { return !has_room_.empty() && has_room_[i]; }
+  bool is_void(std::size_t i) const { return !has_room_.empty() && has_room_[i]; }
   void predict_material(double ahead);
-  void apply_laws(std::size_t bucket, double ahead, std::array<Predicted, bucket_size>& out);
+  void apply_laws(std::size_t bucket, double ahead, std::array<Predicted, tree::bucket_size>& out);
   void fill_rows(std::size_t bucket, double ahead,
-                 const std::array<Predicted, bucket_size>& predicted);
+                 const std::array<Predicted, tree::bucket_size>& predicted);
   void sum_over_neighbours(double ahead);
-  std::size_t set_rates(std::size_t i, std::size_t count, double ahead, const PackedSums& sums);
+  std::size_t set_rates(std::size_t i, std::size_t count, double ahead,
+                        const sph::PackedSums& sums);
   bool is_at_wall(std::size_t i) const;
-  void set_heating(std::size_t i, double ahead, const NeighbourSums& sums);
+  void set_heating(std::size_t i, double ahead, const sph::NeighbourSums& sums);
   void grow_damage(double duration);
   void evaluate_gravity(double elapsed, double planned);
 
@@ -103,15 +107,15 @@ class Solver {
     return fields_.viscous_pressure ? pressure_[i] + rates_.viscous_pressure[i] : pressure_[i];
   }
   double predicted_density(std::size_t i, double ahead) const {
-    return changed_density(state_.rho[i], ahead * rates_.drho_dt[i]);
+    return particles::changed_density(state_.rho[i], ahead * rates_.drho_dt[i]);
   }
   /// Of the volume that a particle takes up in sums.
   double filling_density(double rho) const { return std::max(rho, thinnest_); }
   double smoothing_length(double rho) const;
   double largest_support() const;
-  Condition condition(std::size_t i, double ahead) const;
+  material::Condition condition(std::size_t i, double ahead) const;
   SymTensor predicted_stress(std::size_t i, double ahead) const;
-  FluxRows momentum_flux(std::size_t i, double ahead) const;
+  sph::FluxRows momentum_flux(std::size_t i, double ahead) const;
   SymTensor artificial_stress(std::size_t i, double ahead) const;
   double gravity_age() const { return dt_ * static_cast<double>(since_gravity_); }
   Vec3 gravity(std::size_t i, double age) const {
@@ -126,21 +130,21 @@ class Solver {
   void check(std::size_t offender, const char* kind, const char* remedy) const;
 
   Scene scene_;
-  State state_;
-  Rates rates_;
-  Material material_;
-  OptionalFields fields_;
+  particles::State state_;
+  particles::Rates rates_;
+  material::Material material_;
+  particles::OptionalFields fields_;
   Gradient gradient_;
   double thinnest_;        ///< see filling_density, kg/m^3
   bool stressed_surface_;  ///< free surfaces carry stress: in tension or by cohesion
-  Flaws flaws_;
-  std::vector<Mirror> walls_;
+  material::Flaws flaws_;
+  std::vector<tree::Mirror> walls_;
   bool evolving_h_;
   Sums sums_;
   Integrator integrator_;
-  Gravity gravity_;
-  NeighbourList lists_;
-  KdTree tree_;
+  tree::Gravity gravity_;
+  tree::NeighbourList lists_;
+  tree::KdTree tree_;
   std::vector<float> yield_factor_;     ///< what yielding leaves of the predicted stress
   std::vector<double> pressure_;        ///< at the time of the rates
   std::vector<std::uint8_t> has_room_;  ///< room around a particle; empty where nobody asks
@@ -152,4 +156,4 @@ class Solver {
   StageTimes stages_;
 };
 
-}  // namespace eerie
+}  // namespace eerie::step

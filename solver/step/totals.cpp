@@ -2,9 +2,9 @@
 
 #include "solver/tree/gravity.hpp"
 
-namespace eerie {
+namespace eerie::step {
 
-Totals totals(const Scene& scene, const State& state) {
+Totals totals(const Scene& scene, const particles::State& state) {
   std::vector<std::size_t> place(state.size());
   for (std::size_t i = 0; i < state.size(); ++i) place[state.id[i]] = i;
   const auto [gx, gy, gz] = scene.environment.gravity_m_per_s2;
@@ -26,11 +26,11 @@ Totals totals(const Scene& scene, const State& state) {
   }
   t.mass = state.mass * static_cast<double>(state.size());
   if (!scene.environment.self_gravity) return t;
-  KdTree tree(state.size());
+  tree::KdTree tree(state.size());
   tree.fit(state.x);
-  t.potential_energy +=
-      Gravity({state.mass, state.h, scene.numerics.opening_angle}).potential_energy(tree, state.x);
+  t.potential_energy += tree::Gravity({state.mass, state.h, scene.numerics.opening_angle})
+                            .potential_energy(tree, state.x);
   return t;
 }
 
-}  // namespace eerie
+}  // namespace eerie::step

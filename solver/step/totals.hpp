@@ -3,7 +3,7 @@
 #include "solver/particles/state.hpp"
 #include "solver/scene/scene.hpp"
 
-namespace eerie {
+namespace eerie::step {
 
 /// Totals of the whole system, SI, about the origin of coordinates (the centre of mass at the
 /// start). Sums run in order of ids, so they do not depend on the memory order.
@@ -19,6 +19,6 @@ struct Totals {
 };
 
 /// `state` must be in memory order (as a Solver or a snapshot holds it).
-Totals totals(const Scene& scene, const State& state);
+Totals totals(const Scene& scene, const particles::State& state);
 
-}  // namespace eerie
+}  // namespace eerie::step

@@ -6,14 +6,14 @@
 
 // Voids that close without pressure.
 
-namespace eerie {
+namespace eerie::step {
 
 namespace {
 
 /// sum_j m W_ij over all that is around a bucket, for particle k of it: its density by arrangement,
 /// kg/m^3. `around` in units of h.
 template <class Kernel>
-double arranged_density(const State& s, const Places& around, std::size_t k) {
+double arranged_density(const particles::State& s, const Places& around, std::size_t k) {
   Pack<float> sum{};
   for (std::size_t first = 0; first < around.x.size(); first += lanes<float>) {
     const Pack<float> r2 =
@@ -43,18 +43,18 @@ void Solver::find_voids() {
           Places around;
 #pragma omp for schedule(dynamic, 8)
           for (std::size_t b = 0; b < lists_.buckets(); ++b) {
-            const std::size_t begin = b * bucket_size;
+            const std::size_t begin = b * tree::bucket_size;
             around.clear();
             lists_.visit_around(b, state_.x, [&](const Vec3& there) {
               around.push((there - state_.x[begin]) / state_.h);
             });
             around.pad();
-            for (std::size_t k = 0; k < bucket_size && begin + k < state_.size(); ++k)
+            for (std::size_t k = 0; k < tree::bucket_size && begin + k < state_.size(); ++k)
               has_room_[begin + k] = arranged_density<decltype(kernel)>(state_, around, k) < full;
           }
         }
       },
-      make_kernel(scene_.numerics.kernel));
+      sph::make_kernel(scene_.numerics.kernel));
 }
 
 /// Where nothing presses, nothing is compressed: density ends a step at that of reference at most.
@@ -65,4 +65,4 @@ void Solver::close_voids() {
     if (has_room_[i]) state_.rho[i] = std::min(state_.rho[i], material_.reference_density);
 }
 
-}  // namespace eerie
+}  // namespace eerie::step

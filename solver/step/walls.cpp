@@ -4,10 +4,10 @@
 
 #include "solver/base/error.hpp"
 
-namespace eerie {
+namespace eerie::step {
 
-std::vector<Mirror> mirrors(const Scene::Environment& environment) {
-  std::vector<Mirror> mirrors;
+std::vector<tree::Mirror> mirrors(const Scene::Environment& environment) {
+  std::vector<tree::Mirror> mirrors;
   for (const Scene::Wall& wall : environment.walls)
     mirrors.push_back(
         {wall.face[0] - 'x', wall.face.ends_with("_low"), wall.at_m, wall.kind == "rough"});
@@ -15,8 +15,8 @@ std::vector<Mirror> mirrors(const Scene::Environment& environment) {
 }
 
 void require_walls_apart(const Scene::Environment& environment, double search_radius) {
-  for (const Mirror& low : mirrors(environment))
-    for (const Mirror& high : mirrors(environment))
+  for (const tree::Mirror& low : mirrors(environment))
+    for (const tree::Mirror& high : mirrors(environment))
       if (low.axis == high.axis && low.low && !high.low && high.at - low.at < search_radius)
         throw InputError(fmt::format(
             "scene.environment.walls: those of the {} axis are {:g} m apart and must be at least "
@@ -24,4 +24,4 @@ void require_walls_apart(const Scene::Environment& environment, double search_ra
             "xyz"[low.axis], high.at - low.at, search_radius));
 }
 
-}  // namespace eerie
+}  // namespace eerie::step

@@ -5,13 +5,13 @@
 #include "solver/scene/scene.hpp"
 #include "solver/tree/images.hpp"
 
-namespace eerie {
+namespace eerie::step {
 
 /// The walls of a scene as mirrors.
-std::vector<Mirror> mirrors(const Scene::Environment& environment);
+std::vector<tree::Mirror> mirrors(const Scene::Environment& environment);
 
 /// Throws InputError where two walls of an axis are closer than `search_radius` (m): a particle
 /// would see images of images.
 void require_walls_apart(const Scene::Environment& environment, double search_radius);
 
-}  // namespace eerie
+}  // namespace eerie::step

@@ -5,7 +5,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/simd.hpp"
 
-namespace eerie {
+namespace eerie::tree {
 
 namespace {
 
@@ -207,4 +207,4 @@ double Gravity::potential_energy(const KdTree& tree, const std::vector<Vec3>& x)
   return 0.5 * newton_G * p_.particle_mass * p_.particle_mass * sum;
 }
 
-}  // namespace eerie
+}  // namespace eerie::tree

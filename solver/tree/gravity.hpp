@@ -6,7 +6,7 @@
 #include "solver/base/tensor.hpp"
 #include "solver/tree/kd_tree.hpp"
 
-namespace eerie {
+namespace eerie::tree {
 
 /// Self-gravity of equal-mass particles by a Barnes-Hut walk over the kd tree: monopole and
 /// quadrupole of a node of size b at distance d where b < theta d, else its particles one by
@@ -52,4 +52,4 @@ class Gravity {
   std::vector<Moments> moments_;
 };
 
-}  // namespace eerie
+}  // namespace eerie::tree

@@ -6,11 +6,11 @@
 #include "solver/base/tensor.hpp"
 #include "solver/base/vec3.hpp"
 
-namespace eerie {
+namespace eerie::tree {
 
 /// A mirror image of the whole scene: x -> sign x + shift, component by component. Velocities and
 /// stresses change sign in their own way, which is what kind of wall it is.
-struct Image {
+struct MirrorImage {
   Vec3 sign{1, 1, 1}, shift;
   Vec3 velocity_sign{1, 1, 1};
   Vec3 stress_sign{1, 1, 1};  ///< component ab is multiplied by stress_sign[a] stress_sign[b]
@@ -48,7 +48,7 @@ struct Mirror {
 };
 
 /// `image` seen in one more mirror, of another axis.
-inline Image reflected(Image image, const Mirror& mirror) {
+inline MirrorImage reflected(MirrorImage image, const Mirror& mirror) {
   image.sign[mirror.axis] = -1;
   image.shift[mirror.axis] = 2 * mirror.at;
   for (int a = 0; a < 3; ++a)
@@ -59,8 +59,8 @@ inline Image reflected(Image image, const Mirror& mirror) {
 
 /// All images that `mirrors` (at most two on each axis) make within one reflection of each axis:
 /// enough while two mirrors of an axis are further apart than the neighbour search reaches.
-inline std::vector<Image> images_of(const std::vector<Mirror>& mirrors) {
-  std::vector<Image> images{Image{}};
+inline std::vector<MirrorImage> images_of(const std::vector<Mirror>& mirrors) {
+  std::vector<MirrorImage> images{MirrorImage{}};
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t before = images.size();
     for (const Mirror& mirror : mirrors) {
@@ -72,4 +72,4 @@ inline std::vector<Image> images_of(const std::vector<Mirror>& mirrors) {
   return images;
 }
 
-}  // namespace eerie
+}  // namespace eerie::tree

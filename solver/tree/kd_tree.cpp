@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace eerie {
+namespace eerie::tree {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<std::uint32_t> kd_order(const std::vector<Vec3>& x,
   return order;
 }
 
-}  // namespace eerie
+}  // namespace eerie::tree

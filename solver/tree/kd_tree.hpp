@@ -6,7 +6,7 @@
 #include "solver/base/box.hpp"
 #include "solver/base/vec3.hpp"
 
-namespace eerie {
+namespace eerie::tree {
 
 /// Particles of one bucket: the unit of memory order, of OpenMP work, of neighbour lists and
 /// of gravity targets. All but the last bucket are full.
@@ -43,4 +43,4 @@ struct KdTree {
 std::vector<std::uint32_t> kd_order(const std::vector<Vec3>& x,
                                     const std::vector<std::uint32_t>& id);
 
-}  // namespace eerie
+}  // namespace eerie::tree

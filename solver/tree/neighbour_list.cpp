@@ -9,7 +9,7 @@
 #include "solver/base/places.hpp"
 #include "solver/base/simd.hpp"
 
-namespace eerie {
+namespace eerie::tree {
 
 namespace {
 
@@ -18,7 +18,7 @@ struct Builder {
   const std::vector<Vec3>& x;
   std::size_t loose_neighbours;
   double support, radius, far_radius;
-  const std::vector<Image>& images;
+  const std::vector<MirrorImage>& images;
   std::size_t row_units;
   std::vector<float>& slack;
   Places local;  ///< relative to the centre of the bucket
@@ -239,4 +239,4 @@ bool NeighbourList::used_up(const std::vector<Vec3>& x) const {
   return used;
 }
 
-}  // namespace eerie
+}  // namespace eerie::tree

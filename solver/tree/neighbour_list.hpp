@@ -8,7 +8,7 @@
 #include "solver/tree/images.hpp"
 #include "solver/tree/kd_tree.hpp"
 
-namespace eerie {
+namespace eerie::tree {
 
 /// Neighbours of one bucket: the union of all particles near it (its own first), and for each
 /// of its particles the list of their places in that union, times the row units of the
@@ -22,7 +22,7 @@ struct BucketList {
   std::array<std::uint32_t, bucket_size + 1> begin{};  ///< list k: index[begin[k]..begin[k+1])
 
   /// Where row `place` is, whose particle is at `x`: there, or in its mirror.
-  Vec3 as_seen(std::size_t place, const Vec3& x, const std::vector<Image>& mirrors) const {
+  Vec3 as_seen(std::size_t place, const Vec3& x, const std::vector<MirrorImage>& mirrors) const {
     const std::size_t image = images.empty() ? 0 : images[place];
     return image == 0 ? x : mirrors[image - 1](x);
   }
@@ -41,7 +41,7 @@ class NeighbourList {
 
   /// `support`: kernel support radius, m; `skin`: extra radius, m; `row_units`: what entries of
   /// the lists are multiplied by, so that they serve as offsets of rows of some length.
-  NeighbourList(double support, double skin, std::vector<Image> images = {},
+  NeighbourList(double support, double skin, std::vector<MirrorImage> images = {},
                 std::size_t row_units = 1)
       : support_(support), skin_(skin), row_units_(row_units), images_(std::move(images)) {}
 
@@ -57,7 +57,7 @@ class NeighbourList {
   bool used_up(const std::vector<Vec3>& x) const;
 
   /// Row image k of a bucket's list: 0 is the particle itself, k > 0 images()[k - 1] of it.
-  const std::vector<Image>& images() const { return images_; }
+  const std::vector<MirrorImage>& images() const { return images_; }
 
   const BucketList& operator[](std::size_t bucket) const { return buckets_[bucket]; }
   /// visit(where it is) for every one that particle k of a bucket lists, images included, all at
@@ -98,7 +98,7 @@ class NeighbourList {
   RigidMotion bulk_motion(const std::vector<Vec3>& x) const;
   double support_, skin_;
   std::size_t row_units_;
-  std::vector<Image> images_;
+  std::vector<MirrorImage> images_;
   std::vector<BucketList> buckets_;
   std::vector<Vec3> built_at_;
   std::vector<float> slack_;  ///< of loose particles: way to go before an unlisted pair meets, m
@@ -107,4 +107,4 @@ class NeighbourList {
   double bulk_count_ = 0;
 };
 
-}  // namespace eerie
+}  // namespace eerie::tree

@@ -10,13 +10,14 @@
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 #include "tests/io/snapshot_fixture.hpp"
+#include "tests/support/paths.hpp"
 
 namespace eerie {
 namespace {
 namespace fs = std::filesystem;
 
 TEST(KillPoints, OfTheSourcesAreThoseOfTheTable) {
-  const fs::path root = EERIE_SOURCE_DIR;
+  const fs::path root = eerie::test::source_folder();
   const std::regex call("\\bkill_point\\(\\s*\"([^\"]+)\"");
   std::set<std::string> passed;
   for (const char* top : {"solver", "db", "analysis", "campaign"})

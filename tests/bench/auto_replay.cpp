@@ -10,12 +10,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "campaign/auto_fidelity.hpp"
-#include "campaign/fidelity.hpp"
-#include "campaign/job.hpp"
-#include "campaign/map.hpp"
-#include "db/jobs.hpp"
-#include "db/query.hpp"
+#include "campaign/auto_fidelity/auto_fidelity.hpp"
+#include "campaign/maps/map.hpp"
+#include "campaign/sweeps/fidelity.hpp"
+#include "campaign/sweeps/job.hpp"
+#include "db/jobs/jobs.hpp"
+#include "db/views/query.hpp"
 #include "solver/base/file.hpp"
 
 namespace eerie {

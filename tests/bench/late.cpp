@@ -8,7 +8,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "analysis/analysis.hpp"
+#include "analysis/remnants/analysis.hpp"
 #include "solver/io/snapshot.hpp"
 #include "solver/material/tillotson.hpp"
 #include "solver/step/solver.hpp"
@@ -25,7 +25,8 @@ Scene softened(Scene scene, double factor) {
 }
 
 /// Densities at which the softer material has the same pressures; what has none stays.
-State with_pressures_kept(State state, const std::vector<double>& pressure, const Scene& softer) {
+particles::State with_pressures_kept(State state, const std::vector<double>& pressure,
+                                     const Scene& softer) {
   const Tillotson eos(softer.material);
   for (std::size_t i = 0; i < state.size(); ++i)
     if (pressure[i] > 0) state.rho[i] = eos.density_at(pressure[i]);

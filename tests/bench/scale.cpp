@@ -10,15 +10,15 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "analysis/gnuplot.hpp"
-#include "campaign/manager.hpp"
-#include "campaign/request.hpp"
-#include "campaign/sweep.hpp"
-#include "campaign/worker.hpp"
-#include "db/control.hpp"
+#include "analysis/drawing/gnuplot.hpp"
+#include "campaign/manager/manager.hpp"
+#include "campaign/manager/request.hpp"
+#include "campaign/sweeps/sweep.hpp"
+#include "campaign/worker/worker.hpp"
+#include "db/jobs/control.hpp"
 #include "solver/base/file.hpp"
-#include "tests/campaign/job_files.hpp"
-#include "tests/db/sample_jobs.hpp"
+#include "tests/campaign/job_folder/job_files.hpp"
+#include "tests/db/jobs/sample_jobs.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 #include "tests/support/program.hpp"
 

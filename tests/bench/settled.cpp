@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "analysis/analysis.hpp"
-#include "analysis/settling.hpp"
-#include "campaign/history.hpp"
-#include "campaign/job_directory.hpp"
+#include "analysis/ending/steadiness.hpp"
+#include "analysis/remnants/analysis.hpp"
+#include "campaign/job_folder/history.hpp"
+#include "campaign/job_folder/job_directory.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/file.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "analysis/gnuplot.hpp"
+#include "analysis/drawing/gnuplot.hpp"
 
 namespace eerie {
 namespace {

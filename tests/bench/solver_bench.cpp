@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "solver/step/run.hpp"
+#include "solver/run/run.hpp"
 #include "tests/bench/bodies.hpp"
 
 // The stages of a step and the whole step, one thread. Figures are comparable within one run only:

@@ -3,11 +3,12 @@
 
 #include <cstdlib>
 
+#include "campaign/job_folder/worker_lock.hpp"
 #include "campaign/slurm/batch.hpp"
-#include "campaign/worker.hpp"
-#include "campaign/worker_lock.hpp"
+#include "campaign/job_folder/worker_exit.hpp"
 #include "tests/e2e/impacts.hpp"
 #include "tests/io/snapshot_fixture.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/program.hpp"
 
 namespace eerie {
@@ -32,35 +33,35 @@ class AnArrayTask : public testing::Test {
     ::unsetenv("SLURM_CPUS_PER_TASK");
   }
 
-  void install(const std::vector<Task>& tasks) {
+  void install(const std::vector<manager::Task>& tasks) {
     batch.folder = folder / "batch";
     batch.array.resize(2);  // the first pack is another's
-    for (const Task& task : tasks) batch.array[1].push_back({task.job, task.directory});
-    install_batch(batch, EERIE_PROGRAM);
+    for (const manager::Task& task : tasks) batch.array[1].push_back({task.job, task.directory});
+    slurm::install_batch(batch, test::program());
   }
   std::vector<std::string> words() const { return {"slurm-task", batch.folder.string()}; }
   Ended run() { return test::eerie(folder.path(), words()); }
 
   test::TemporaryFolder folder;
-  Batch batch;
+  slurm::Batch batch;
 };
 
-int exit_code(const Task& task) {
-  const auto ended = read_ended(task.directory);
+int exit_code(const manager::Task& task) {
+  const auto ended = job_folder::read_ended(task.directory);
   return ended ? ended->exit_code : -1;
 }
-bool has_result(const Task& task) { return fs::exists(task.directory.result()); }
+bool has_result(const manager::Task& task) { return fs::exists(task.directory.result()); }
 
 TEST_F(AnArrayTask, RunsItsJobsOneAfterAnotherAndNotesWhatTheyCost) {
   const auto tasks = test::impacts(folder.path(), 2, short_run_s);
   install(tasks);
   const Ended ended = run();
   EXPECT_EQ(ended.code, 0) << ended.err;
-  for (const Task& task : tasks) {
+  for (const manager::Task& task : tasks) {
     EXPECT_TRUE(has_result(task));
     EXPECT_EQ(exit_code(task), 0);
-    EXPECT_GT(read_ended(task.directory)->core_seconds, 0);
-    EXPECT_GT(read_ended(task.directory)->peak_memory_bytes, 0);
+    EXPECT_GT(job_folder::read_ended(task.directory)->core_seconds, 0);
+    EXPECT_GT(job_folder::read_ended(task.directory)->peak_memory_bytes, 0);
   }
 }
 
@@ -71,8 +72,8 @@ TEST_F(AnArrayTask, BeforeItsTimeLimitLeavesACheckpointAndStartsNoMore) {
   ASSERT_TRUE(
       test::eventually([&] { return test::worker_at_work(tasks[0].directory.path).has_value(); }));
   program.send(SIGUSR1);
-  EXPECT_EQ(program.wait().code, worker_stopped);
-  for (const Task& task : tasks) EXPECT_EQ(exit_code(task), worker_stopped);
+  EXPECT_EQ(program.wait().code, job_folder::worker_stopped);
+  for (const manager::Task& task : tasks) EXPECT_EQ(exit_code(task), job_folder::worker_stopped);
   EXPECT_TRUE(fs::exists(tasks[0].directory.checkpoint()));
   EXPECT_FALSE(fs::exists(tasks[1].directory.log()));
 }
@@ -96,20 +97,20 @@ TEST_F(AnArrayTask, LeavesAloneWhatIsDoneTakenBackOrToBeStopped) {
   const auto tasks = test::impacts(folder.path(), 4, short_run_s);
   install(tasks);
   install_text(tasks[0].directory.result(), "{}");
-  install_released(batch, {1});
+  slurm::install_released(batch, {1});
   install_text(tasks[2].directory.stop(), "");
   EXPECT_EQ(run().code, 0);
   for (int k = 0; k < 3; ++k)
     EXPECT_FALSE(fs::exists(tasks[static_cast<std::size_t>(k)].directory.log())) << k;
   EXPECT_EQ(exit_code(tasks[1]), -1) << "its new batch speaks for it";
-  EXPECT_EQ(exit_code(tasks[2]), worker_stopped);
+  EXPECT_EQ(exit_code(tasks[2]), job_folder::worker_stopped);
   EXPECT_TRUE(has_result(tasks[3]));
 }
 
 TEST_F(AnArrayTask, WhoseBatchWasGivenUpDoesNothing) {
   const auto tasks = test::impacts(folder.path(), 1, short_run_s);
   install(tasks);
-  remove_batch(batch);
+  slurm::remove_batch(batch);
   const Ended ended = run();
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.out, HasSubstr("nothing to do"));
@@ -119,7 +120,7 @@ TEST_F(AnArrayTask, WhoseBatchWasGivenUpDoesNothing) {
 TEST_F(AnArrayTask, WaitsForAWorkerOfItsEarlierStart) {
   const auto tasks = test::impacts(folder.path(), 1, short_run_s);
   install(tasks);
-  auto other = std::make_unique<WorkerLock>(tasks[0].directory);
+  auto other = std::make_unique<job_folder::WorkerLock>(tasks[0].directory);
   Program program(folder.path(), words());
   EXPECT_FALSE(test::eventually([&] { return fs::exists(tasks[0].directory.log()); }, 1s));
   other.reset();

@@ -5,6 +5,7 @@
 
 #include "solver/base/file.hpp"
 #include "tests/support/impact_database.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/program.hpp"
 
 namespace eerie {
@@ -107,7 +108,7 @@ TEST_F(Exchange, TheDocumentedLinesOfPandasRun) {
   if (python("import pandas") != 0) GTEST_SKIP() << "python3-pandas is not installed";
   ASSERT_EQ(ask({"query", "--of", "remnants", "-o", "remnants.csv"}).code, 0);
   ASSERT_EQ(ask({"query", "--format", "json-table", "-o", "table.json"}).code, 0);
-  const std::string page = read_file(EERIE_SOURCE_DIR "/docs/database.md");
+  const std::string page = read_file(test::source_folder() / "docs/database.md");
   const std::string open = "```python\n";
   const std::size_t begin = page.find(open) + open.size();
   EXPECT_EQ(python(page.substr(begin, page.find("```", begin) - begin) +

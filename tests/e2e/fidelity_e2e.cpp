@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/history.hpp"
+#include "campaign/job_folder/history.hpp"
 #include "solver/base/file.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 #include "tests/support/program.hpp"
@@ -37,7 +37,7 @@ TEST_F(Fidelity, RunEndsOnceTheImpactHasSettledAndSaysSo) {
   EXPECT_GT(ended, 2000);
   EXPECT_LT(ended, 30000);
   const fs::path job = test::job_directories(folder / "eerie.sqlite").at(0);
-  const Series<RemnantLook> looks(job / "remnants.csv");
+  const job_folder::RowLog<ending::RemnantLook> looks(job / "remnants.csv");
   ASSERT_FALSE(looks.rows().empty());
   EXPECT_EQ(looks.rows().back().time_s, ended);
   EXPECT_EQ(looks.rows().back().b_over_a, row.at("b_over_a"));

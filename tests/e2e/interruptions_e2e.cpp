@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/worker_lock.hpp"
+#include "campaign/job_folder/worker_lock.hpp"
 #include "solver/base/file.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 #include "tests/support/program.hpp"
@@ -127,7 +127,7 @@ TEST_F(Interrupted, WorkersEndWhenTheirManagerDies) {
   run.wait();
   EXPECT_TRUE(test::eventually([&] {
     for (const fs::path& job : test::job_directories(database))
-      if (WorkerLock::held({job})) return false;
+      if (job_folder::WorkerLock::held({job})) return false;
     return true;
   }));
 }

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/base/file.hpp"
-#include "tests/analysis/bodies.hpp"
+#include "tests/analysis/remnants/bodies.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 #include "tests/support/program.hpp"
 
@@ -20,17 +20,17 @@ namespace fs = std::filesystem;
 class LightCurveOfACigar : public testing::Test {
  protected:
   void SetUp() override {
-    State state = test::empty_state();
+    particles::State state = test::empty_state();
     const auto cigar = test::ellipsoid({100, 40, 30}, test::spacing);
     const double omega = 2 * 3.14159265358979 / 7200;
-    test::add(state, cigar, test::spinning(cigar, {0, 0, omega}, {}), Body::target);
-    test::add_body(state, {25, 25, 25}, {1000, 0, 0}, {}, Body::impactor);
+    test::add(state, cigar, test::spinning(cigar, {0, 0, omega}, {}), particles::Body::target);
+    test::add_body(state, {25, 25, 25}, {1000, 0, 0}, {}, particles::Body::impactor);
     state.time = 3000;
-    Snapshot snapshot = test::snapshot_of(state);
+    io::Snapshot snapshot = test::snapshot_of(state);
     // A particle's share of the material is a cell of the lattice.
     ASSERT_NEAR(snapshot.scene.material.rho0_kg_per_m3, 2700, 1e-9);
     fs::create_directory(folder / "run");
-    write_snapshot(folder / "run/final.hdf5", snapshot);
+    io::write_snapshot(folder / "run/final.hdf5", snapshot);
   }
   Ended lightcurve(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "lightcurve");
@@ -64,10 +64,10 @@ TEST_F(LightCurveOfACigar, IsToldInWordsOfASnapshotToo) {
 }
 
 TEST_F(LightCurveOfACigar, WarnsWhereTheBodyTurnsAboutAnotherAxis) {
-  State state = test::empty_state();
+  particles::State state = test::empty_state();
   const auto cigar = test::ellipsoid({100, 40, 30}, test::spacing);
-  test::add(state, cigar, test::spinning(cigar, {0, 1e-3, 0}, {}), Body::target);
-  write_snapshot(folder / "tumbling.hdf5", test::snapshot_of(state));
+  test::add(state, cigar, test::spinning(cigar, {0, 1e-3, 0}, {}), particles::Body::target);
+  io::write_snapshot(folder / "tumbling.hdf5", test::snapshot_of(state));
   const Ended ended = lightcurve({"tumbling.hdf5"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("90.0 deg from its shortest axis"));

@@ -37,11 +37,11 @@ class RealSlurm {
   std::string queue(const std::string& node = "");
 
  private:
-  CommandEnd call(const std::vector<std::string>& words);
+  slurm::CommandEnd call(const std::vector<std::string>& words);
   std::string logs() const;
 
   TemporaryFolder folder_;
-  ChildCommands commands_;
+  slurm::ChildCommands commands_;
 };
 
 }  // namespace eerie::test

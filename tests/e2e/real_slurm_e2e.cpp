@@ -146,8 +146,8 @@ RealSlurm::~RealSlurm() {
   ::unsetenv("SLURM_CONF");
 }
 
-CommandEnd RealSlurm::call(const std::vector<std::string>& words) {
-  CommandEnd end = commands_.run(words, 30s);
+slurm::CommandEnd RealSlurm::call(const std::vector<std::string>& words) {
+  slurm::CommandEnd end = commands_.run(words, 30s);
   EXPECT_TRUE(end.ok()) << words[0] << ": " << end.complaint() << "\n" << logs();
   return end;
 }
@@ -165,7 +165,7 @@ std::string RealSlurm::logs() const {
 bool RealSlurm::ready() {
   const bool idle = eventually(
       [this] {
-        const CommandEnd end = commands_.run({"sinfo", "-h", "-N", "-o", "%N %T"}, 10s);
+        const slurm::CommandEnd end = commands_.run({"sinfo", "-h", "-N", "-o", "%N %T"}, 10s);
         return end.out == "n1 idle\nn2 idle\n";
       },
       20s);
@@ -193,7 +193,7 @@ int RealSlurm::start_requeued() {
 }
 
 std::string RealSlurm::queue(const std::string& node) {
-  std::vector<std::string> words = {"squeue", "-h", "-r", "-o", queue_format};
+  std::vector<std::string> words = {"squeue", "-h", "-r", "-o", slurm::queue_format};
   if (!node.empty()) words.push_back("--nodelist=" + node);
   return commands_.run(words, 10s).out;
 }

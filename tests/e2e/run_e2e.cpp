@@ -6,7 +6,7 @@
 #include <set>
 
 #include "solver/base/file.hpp"
-#include "tests/campaign/malformed_sweeps.hpp"
+#include "tests/campaign/sweeps/malformed_sweeps.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 #include "tests/support/program.hpp"
 

@@ -2,6 +2,7 @@
 
 #include "solver/base/file.hpp"
 #include "tests/fuzz/readers.hpp"
+#include "tests/support/paths.hpp"
 
 namespace eerie {
 namespace {
@@ -22,7 +23,7 @@ TEST(FuzzCorpus, IsReadOrRefused) {
   for (const Corpus& corpus : corpora) {
     int files = 0;
     for (const auto& entry :
-         fs::directory_iterator(fs::path(EERIE_SOURCE_DIR) / "tests/fuzz/corpus" / corpus.folder)) {
+         fs::directory_iterator(test::source_folder() / "tests/fuzz/corpus" / corpus.folder)) {
       SCOPED_TRACE(entry.path().string());
       corpus.read(read_file(entry.path()));
       ++files;

@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "campaign/catalogue/catalogue_sweep.hpp"
-#include "campaign/json_file.hpp"
-#include "campaign/result_file.hpp"
-#include "campaign/sweep.hpp"
+#include "campaign/job_folder/result_file.hpp"
+#include "campaign/sweeps/sweep.hpp"
+#include "campaign/text/json_file.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/sha256.hpp"
 #include "solver/io/seal.hpp"
@@ -30,20 +30,22 @@ inline constexpr std::size_t most_points = 200;
 
 inline void read_as_sweep(std::string_view text) {
   try {
-    const Sweep sweep = parse_sweep(parse_json(text, "sweep.json"), {}, "sweep.json");
-    const std::size_t points = point_count(sweep);
+    const sweeps::Sweep sweep =
+        sweeps::parse_sweep(text::parse_json(text, "sweep.json"), {}, "sweep.json");
+    const std::size_t points = sweeps::point_count(sweep);
     if (points > most_points) return;
-    const std::size_t jobs = expand(sweep).size();
+    const std::size_t jobs = sweeps::expand(sweep).size();
     hold(jobs == points);
-    const std::string written = document(sweep);
-    hold(document(parse_sweep(parse_json(written, "again"), {}, "again")) == written);
+    const std::string written = sweeps::document(sweep);
+    hold(sweeps::document(sweeps::parse_sweep(text::parse_json(written, "again"), {}, "again")) ==
+         written);
   } catch (const InputError&) {
   }
 }
 
 inline void read_as_scene(std::string_view text) {
   try {
-    const Scene scene = parse_scene(parse_json(text, "scene.json"), "scene.json");
+    const Scene scene = parse_scene(text::parse_json(text, "scene.json"), "scene.json");
     hold(scene_hash(parse_scene(to_json(scene))) == scene_hash(scene));
   } catch (const InputError&) {
   }
@@ -52,19 +54,19 @@ inline void read_as_scene(std::string_view text) {
 /// As it is, and with hash, version and checksum put right: no mutation guesses a checksum.
 inline void read_as_result(std::string_view text) {
   static const std::string hash(64, 'a');
-  parse_result(text, hash);
+  job_folder::parse_result(text, hash);
   nlohmann::json document;
   try {
-    document = parse_json(text, "result.json");
+    document = text::parse_json(text, "result.json");
   } catch (const InputError&) {
     return;
   }
   if (!document.is_object()) return;
   document.erase("sha256");
   document["scene_hash"] = hash;
-  document["version"] = result_version;
+  document["version"] = job_folder::result_version;
   document["sha256"] = sha256_hex(document.dump());
-  const auto stored = parse_result(document.dump(), hash);
+  const auto stored = job_folder::parse_result(document.dump(), hash);
   if (stored) hold(stored->remnants.size() == document["analysis"]["remnants"].size());
 }
 
@@ -74,10 +76,10 @@ inline void read_as_checkpoint(std::string_view bytes) {
       (std::filesystem::exists("/dev/shm") ? "/dev/shm" : "/tmp") +
       ("/eerie-fuzz-" + std::to_string(::getpid()) + ".hdf5");
   const std::string_view unsealed = bytes.substr(0, bytes.rfind("eerie-sha256:"));
-  for (const std::string& file : {std::string(bytes), std::string(unsealed) + seal(unsealed)}) {
+  for (const std::string& file : {std::string(bytes), std::string(unsealed) + io::seal(unsealed)}) {
     std::ofstream(path, std::ios::binary | std::ios::trunc) << file;
     try {
-      const Snapshot snapshot = read_snapshot(path);
+      const io::Snapshot snapshot = io::read_snapshot(path);
       hold(snapshot.state.size() == snapshot.pressure.size());
     } catch (const InputError&) {
     }
@@ -87,16 +89,18 @@ inline void read_as_checkpoint(std::string_view bytes) {
 
 /// A sweep that is made of a catalogue is one that can be run.
 inline void read_as_catalogue(std::string_view text) {
-  for (const CatalogueOptions& options : {CatalogueOptions{}, CatalogueOptions{1000, 50}}) {
+  for (const catalogue::CatalogueOptions& options :
+       {catalogue::CatalogueOptions{}, catalogue::CatalogueOptions{1000, 50}}) {
     nlohmann::json document;
     try {
-      const Catalogue catalogue = parse_catalogue(text, "catalogue.csv", options);
+      const catalogue::Catalogue catalogue =
+          catalogue::parse_catalogue(text, "catalogue.csv", options);
       if (catalogue.rows.size() > most_points) return;
-      document = sweep_of(catalogue, {}, "catalogue.csv");
+      document = catalogue::sweep_of(catalogue, {}, "catalogue.csv");
     } catch (const InputError&) {
       continue;
     }
-    const std::size_t jobs = expand(parse_sweep(document, {}, "made")).size();
+    const std::size_t jobs = sweeps::expand(sweeps::parse_sweep(document, {}, "made")).size();
     hold(jobs == document["points"].size());
   }
 }

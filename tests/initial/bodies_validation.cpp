@@ -3,33 +3,34 @@
 #include <cmath>
 
 #include "solver/base/constants.hpp"
+#include "solver/base/sphere.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/initial/orbit.hpp"
 #include "solver/step/solver.hpp"
 #include "solver/step/totals.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace eerie {
+namespace eerie::initial {
 namespace {
 
 using test::small_scene;
 
 constexpr double radius = 50, rho0 = 2700;
-const double escape = escape_speed(rho0, radius);
+const double escape = escape_speed({radius, rho0});
 
 Scene scene_of(int particles, const char* packing = "glass", int seed = 1) {
   return small_scene(
       {{"numerics", {{"particles_per_target", particles}, {"packing", packing}, {"seed", seed}}}});
 }
 
-double rms_speed(const State& s) {
+double rms_speed(const particles::State& s) {
   double sum = 0;
   for (const Vec3& v : s.v) sum += norm2(v);
   return std::sqrt(sum / static_cast<double>(s.size()));
 }
 
 /// Second moments of the positions, <x x>, m^2.
-SymTensor moments(const State& s) {
+SymTensor moments(const particles::State& s) {
   SymTensor m;
   for (const Vec3& p : s.x)
     m += SymTensor{p.x * p.x, p.y * p.y, p.z * p.z, p.x * p.y, p.x * p.z, p.y * p.z};
@@ -39,7 +40,7 @@ SymTensor moments(const State& s) {
 /// Pressure of each particle by id, averaged over `seconds` of a run without damping: residual
 /// waves of 1e-3 of the escape speed carry rho c v ~ 0.5 Pa from moment to moment.
 std::vector<double> mean_pressure(const Scene& scene, double seconds) {
-  Solver solver(scene, make_body(scene, Body::target));
+  step::Solver solver(scene, make_body(scene, particles::Body::target));
   std::vector<double> sum(solver.state().size());
   double cycles = 0;
   while (solver.state().time < seconds) {
@@ -62,7 +63,7 @@ TEST(MakeBody, PressureCarriesTheWholeWeight) {
   for (const char* rheology : {"drucker-prager", "fluid"}) {
     const Scene scene = small_scene({{"material", {{"rheology", rheology}}},
                                      {"numerics", {{"particles_per_target", 500}, {"cfl", 0.4}}}});
-    const double theory = 0.4 * central_pressure(rho0, radius);
+    const double theory = 0.4 * central_pressure({radius, rho0});
     const double ratio = mean(mean_pressure(scene, 1000)) / theory;
     RecordProperty(rheology, std::to_string(ratio));
     // The pressure of surface particles acts on fewer neighbours: it has to be higher by a part
@@ -75,7 +76,7 @@ TEST(MakeBody, FluidHasTheHydrostaticProfile) {
   const Scene scene = small_scene({{"material", {{"rheology", "fluid"}}},
                                    {"numerics", {{"particles_per_target", 1000}, {"cfl", 0.4}}}});
   const std::vector<double> p = mean_pressure(scene, 1000);
-  const State body = make_body(scene, Body::target);
+  const particles::State body = make_body(scene, particles::Body::target);
   constexpr int shells = 5;
   double sum[shells] = {}, theory[shells] = {};
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -83,7 +84,7 @@ TEST(MakeBody, FluidHasTheHydrostaticProfile) {
     const auto shell = static_cast<int>(shells * cubed(part));  // of equal volume
     if (shell >= shells) continue;
     sum[shell] += p[i];
-    theory[shell] += central_pressure(rho0, radius) * (1 - part * part);
+    theory[shell] += central_pressure({radius, rho0}) * (1 - part * part);
   }
   for (int k = 0; k < shells; ++k) {
     RecordProperty("shell_" + std::to_string(k), std::to_string(sum[k] / theory[k]));
@@ -98,7 +99,7 @@ TEST(MakeBody, FluidHasTheHydrostaticProfile) {
 TEST(MakeBody, IsWhole) {
   for (const char* packing : {"glass", "lattice"}) {
     const Scene scene = scene_of(500, packing);
-    const State s = make_body(scene, Body::target);
+    const particles::State s = make_body(scene, particles::Body::target);
     ASSERT_EQ(s.size(), 500u);
     EXPECT_EQ(s.mass, particle_mass(scene));
     EXPECT_EQ(s.h, smoothing_length(scene));
@@ -120,7 +121,7 @@ TEST(MakeBody, IsWhole) {
 
 TEST(MakeBody, StaysAsItIsWithoutDamping) {
   const Scene scene = scene_of(500);
-  Solver solver(scene, make_body(scene, Body::target));
+  step::Solver solver(scene, make_body(scene, particles::Body::target));
   const SymTensor before = moments(solver.state());
   double fastest = 0;
   while (solver.state().time < 2000) {
@@ -141,20 +142,20 @@ TEST(MakeBody, StaysAsItIsWithoutDamping) {
 }
 
 TEST(MakeBody, SeedDecidesEveryBit) {
-  const State a = make_body(scene_of(300), Body::target),
-              b = make_body(scene_of(300), Body::target);
+  const particles::State a = make_body(scene_of(300), particles::Body::target),
+                         b = make_body(scene_of(300), particles::Body::target);
   EXPECT_EQ(a.x, b.x);
   EXPECT_EQ(a.rho, b.rho);
   EXPECT_EQ(a.S, b.S);
-  EXPECT_NE(a.x, make_body(scene_of(300, "glass", 2), Body::target).x);
+  EXPECT_NE(a.x, make_body(scene_of(300, "glass", 2), particles::Body::target).x);
   // Two equal bodies of one scene are not copies of each other either.
-  EXPECT_NE(a.x, make_body(scene_of(300), Body::impactor).x);
+  EXPECT_NE(a.x, make_body(scene_of(300), particles::Body::impactor).x);
 }
 
 TEST(MakeImpact, StartsOnTheOrbitThatWasAskedFor) {
   for (const double q : {1.0, 0.5}) {
     const Scene scene = small_scene({{"impact", {{"q", q}, {"theta_imp_deg", 20}}}});
-    const State s = make_impact(scene);
+    const particles::State s = make_impact(scene);
     const double contact = radius * (1 + std::cbrt(q));
     EXPECT_DOUBLE_EQ(contact_distance(scene), contact);
     Vec3 centre[2], velocity[2];
@@ -170,7 +171,7 @@ TEST(MakeImpact, StartsOnTheOrbitThatWasAskedFor) {
     EXPECT_NEAR(norm(centre[1] - centre[0]) / (2 * contact), 1, 1e-12);  // rounding
     EXPECT_LT(dot(centre[1] - centre[0], velocity[1] - velocity[0]), 0);
 
-    const Totals t = totals(scene, s);
+    const step::Totals t = step::totals(scene, s);
     EXPECT_DOUBLE_EQ(t.mass, s.mass * (count[0] + count[1]));
     const double reduced_mass = s.mass * count[0] * count[1] / (count[0] + count[1]);
     const double impact_parameter = contact * std::sin(radians(20));
@@ -186,4 +187,4 @@ TEST(MakeImpact, StartsOnTheOrbitThatWasAskedFor) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::initial

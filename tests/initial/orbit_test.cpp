@@ -9,7 +9,7 @@
 #include "solver/initial/bodies.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace eerie {
+namespace eerie::initial {
 namespace {
 
 struct Case {
@@ -114,4 +114,4 @@ TEST(MakeImpact, RefusesAnUnreachableOrbitBeforeItBuildsBodies) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::initial

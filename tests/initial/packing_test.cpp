@@ -7,7 +7,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/tensor.hpp"
 
-namespace eerie {
+namespace eerie::initial {
 namespace {
 
 constexpr double radius = 50;
@@ -124,4 +124,4 @@ TEST(Packing, UnknownNameIsRefused) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::initial

@@ -6,8 +6,9 @@
 #include <sstream>
 
 #include "tests/io/snapshot_fixture.hpp"
+#include "tests/support/paths.hpp"
 
-namespace eerie {
+namespace eerie::io {
 namespace {
 
 struct Answer {
@@ -36,8 +37,8 @@ class Readers : public testing::Test {
     if (run(fmt::format("{} -c 'import {}' 2>&1", python, module)).status != 0)
       GTEST_SKIP() << package << " is not installed for " << python;
     write_snapshot(path_, snapshot_);
-    const Answer answer = run(
-        fmt::format("{} {}/tests/io/{} {} 2>&1", python, EERIE_SOURCE_DIR, script, path_.string()));
+    const Answer answer = run(fmt::format("{} {}/tests/io/{} {} 2>&1", python,
+                                          test::source_folder().string(), script, path_.string()));
     ASSERT_EQ(answer.status, 0) << answer.text;
     lines_.str(answer.text);
   }
@@ -46,7 +47,7 @@ class Readers : public testing::Test {
   void expect_particles(std::size_t columns, double relative_error) {
     std::vector<std::size_t> index_of(snapshot_.state.size());
     for (std::size_t i = 0; i < index_of.size(); ++i) index_of[snapshot_.state.id[i]] = i;
-    const State& s = snapshot_.state;
+    const particles::State& s = snapshot_.state;
     for (std::size_t id = 0; id < s.size(); ++id) {
       const std::size_t i = index_of[id];
       const std::array<double, 6> wanted{s.x[i].x, s.x[i].y, s.x[i].z, s.rho[i], s.mass, s.h};
@@ -100,4 +101,4 @@ TEST_F(Readers, VtkSeesExactPositionsAndDensities) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::io

@@ -9,8 +9,9 @@
 #include "solver/base/random.hpp"
 #include "solver/io/seal.hpp"
 #include "tests/io/snapshot_fixture.hpp"
+#include "tests/support/paths.hpp"
 
-namespace eerie {
+namespace eerie::io {
 namespace {
 
 using test::differences;
@@ -100,7 +101,7 @@ class UnsealedFile : public SnapshotFile {
  protected:
   UnsealedFile() {
     const std::filesystem::path file =
-        EERIE_SOURCE_DIR "/tests/fuzz/corpus/checkpoint/without_seal.hdf5";
+        test::source_folder() / "tests/fuzz/corpus/checkpoint/without_seal.hdf5";
     snapshot_ = read_snapshot(file);
     bytes_ = read_file(file);
   }
@@ -180,4 +181,4 @@ TEST_F(SnapshotFile, MissingFolderIsAnErrorOfTheEnvironment) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::io

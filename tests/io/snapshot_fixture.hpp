@@ -52,9 +52,9 @@ inline void fill(Random& random, std::uint8_t& body) { body = random.uniform() <
 inline void fill(Random&, std::uint32_t&) {}
 
 /// A checkpoint of `n` particles with every bit of every field in use, in scrambled order.
-inline Snapshot random_snapshot(std::size_t n, bool checkpoint = true) {
+inline io::Snapshot random_snapshot(std::size_t n, bool checkpoint = true) {
   Random random(7, n);
-  Snapshot s;
+  io::Snapshot s;
   s.scene = parse_scene({{"impact", {{"v_imp_cm_per_s", 20.1}}},
                          {"material",
                           {{"energy", "integrated"},
@@ -69,12 +69,12 @@ inline Snapshot random_snapshot(std::size_t n, bool checkpoint = true) {
   s.state.step = 321;
   s.state.mass = 1.0e5 / 3;
   s.state.h = 8.1 / 7;
-  resize(s.state, n, optional_fields(s.scene));
+  particles::resize(s.state, n, io::optional_fields(s.scene));
   s.pressure.resize(n);
   const auto fill_all = [&](const char*, auto& array) {
     for (auto& value : array) fill(random, value);
   };
-  visit_state(s.state, fill_all);
+  particles::visit_state(s.state, fill_all);
   fill_all("", s.pressure);
   for (std::size_t i = 0; i < n; ++i) {
     s.state.id[i] = static_cast<std::uint32_t>(i);
@@ -84,11 +84,11 @@ inline Snapshot random_snapshot(std::size_t n, bool checkpoint = true) {
     std::swap(s.state.id[i],
               s.state.id[static_cast<std::size_t>(random.uniform() * static_cast<double>(i + 1))]);
   if (checkpoint) {
-    resize(s.rates.emplace(), n, optional_fields(s.scene));
-    visit_rates(*s.rates, fill_all);
+    particles::resize(s.rates.emplace(), n, io::optional_fields(s.scene));
+    particles::visit_rates(*s.rates, fill_all);
     s.restart.emplace().list_support = 2.3 / 7;
     s.restart->builds_in_order = 5;
-    visit_restart(*s.restart, [&](const char* name, auto& array) {
+    particles::visit_restart(*s.restart, [&](const char* name, auto& array) {
       array.resize(n);
       fill_all(name, array);
     });
@@ -103,7 +103,7 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 /// Names of all fields that differ in some bit; empty when the two are the same.
-inline std::vector<std::string> differences(const Snapshot& a, const Snapshot& b) {
+inline std::vector<std::string> differences(const io::Snapshot& a, const io::Snapshot& b) {
   std::vector<std::string> found;
   const auto note = [&](bool same, const char* name) {
     if (!same) found.push_back(name);
@@ -122,15 +122,17 @@ inline std::vector<std::string> differences(const Snapshot& a, const Snapshot& b
   note(a.state.mass == b.state.mass, "mass");
   note(a.state.h == b.state.h, "h");
   note(same_bits(a.pressure, b.pressure), "pressure");
-  against([](const auto& s, auto&& visit) { visit_state(s, visit); }, a.state, b.state);
+  against([](const auto& s, auto&& visit) { particles::visit_state(s, visit); }, a.state, b.state);
   note(a.rates.has_value() == b.rates.has_value(), "rates");
   note(a.restart.has_value() == b.restart.has_value(), "restart");
   if (a.rates && b.rates)
-    against([](const auto& r, auto&& visit) { visit_rates(r, visit); }, *a.rates, *b.rates);
+    against([](const auto& r, auto&& visit) { particles::visit_rates(r, visit); }, *a.rates,
+            *b.rates);
   if (a.restart && b.restart) {
     note(a.restart->list_support == b.restart->list_support, "list_support");
     note(a.restart->builds_in_order == b.restart->builds_in_order, "builds_in_order");
-    against([](const auto& r, auto&& visit) { visit_restart(r, visit); }, *a.restart, *b.restart);
+    against([](const auto& r, auto&& visit) { particles::visit_restart(r, visit); }, *a.restart,
+            *b.restart);
   }
   return found;
 }

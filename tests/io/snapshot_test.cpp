@@ -9,7 +9,7 @@
 #include "solver/io/units.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
-namespace eerie {
+namespace eerie::io {
 namespace {
 
 using test::differences;
@@ -127,9 +127,9 @@ TEST(Snapshot, EveryFieldOfTheTablesHasItsUnit) {
   const auto has_unit = [](const char* name, const auto&) {
     EXPECT_NE(unit_of(name), nullptr) << name << " has no row in solver/io/units.hpp";
   };
-  visit_state(snapshot.state, has_unit);
-  visit_rates(snapshot.rates.value(), has_unit);
-  visit_restart(snapshot.restart.value(), has_unit);
+  particles::visit_state(snapshot.state, has_unit);
+  particles::visit_rates(snapshot.rates.value(), has_unit);
+  particles::visit_restart(snapshot.restart.value(), has_unit);
 }
 
 TEST(Snapshot, MissingFileIsNamed) {
@@ -148,4 +148,4 @@ TEST(Snapshot, ArraysOfUnequalLengthAreNotWritten) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::io

@@ -6,7 +6,7 @@
 #include "tests/support/scenes.hpp"
 #include "tests/support/variant_types.hpp"
 
-namespace eerie {
+namespace eerie::material {
 namespace {
 
 using test::small_scene;
@@ -162,4 +162,4 @@ TYPED_TEST(EosContract, DensityAtInvertsColdPressure) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::material

@@ -7,7 +7,7 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace eerie {
+namespace eerie::material {
 namespace {
 
 const Scene::Material basalt = test::small_scene(test::stiff_basalt()).material;
@@ -62,4 +62,4 @@ TEST(GradyKipp, DamageReachesNoFurtherThanItsActiveFlawsAndNeverHeals) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::material

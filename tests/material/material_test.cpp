@@ -6,7 +6,7 @@
 
 #include "tests/support/scenes.hpp"
 
-namespace eerie {
+namespace eerie::material {
 namespace {
 
 using test::small_scene;
@@ -133,4 +133,4 @@ TEST(Material, UnknownNamesAreRefused) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::material

@@ -7,7 +7,7 @@
 #include "tests/support/scenes.hpp"
 #include "tests/support/variant_types.hpp"
 
-namespace eerie {
+namespace eerie::material {
 namespace {
 
 using test::random_deviator;
@@ -109,4 +109,4 @@ TYPED_TEST(RheologyContract, DamageAndHeatNeverStrengthen) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::material

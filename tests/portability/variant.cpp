@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/analysis.hpp"
+#include "analysis/remnants/analysis.hpp"
 #include "solver/base/simd.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
@@ -13,7 +13,7 @@
 namespace eerie {
 namespace {
 
-nlohmann::json positions(const State& state) {
+nlohmann::json positions(const particles::State& state) {
   std::vector<Vec3> x(state.size());
   for (std::size_t i = 0; i < x.size(); ++i) x[state.id[i]] = state.x[i];
   nlohmann::json out = nlohmann::json::array();
@@ -26,13 +26,13 @@ nlohmann::json told() {
       parse_scene({{"numerics", {{"particles_per_target", 200}, {"packing", "lattice"}}},
                    {"impact", {{"separation", 1.3}}},
                    {"end", {{"time_s", 2500}}}});
-  Solver solver(scene, make_unsettled_impact(scene));
+  step::Solver solver(scene, initial::make_unsettled_impact(scene));
   while (solver.state().step < 20) solver.cycle(scene.end.time_s);
   nlohmann::json out = {{"variant", vector_variant}, {"h_m", solver.state().h}};
   out["early_x_m"] = positions(solver.state());
   while (solver.state().time < scene.end.time_s) solver.cycle(scene.end.time_s);
-  const Remnant largest =
-      analyse({scene, solver.state(), solver.pressure(), {}, {}}).remnants.at(0);
+  const remnants::Remnant largest =
+      remnants::analyse({scene, solver.state(), solver.pressure(), {}, {}}).remnants.at(0);
   out["mass_over_total"] = largest.mass_over_total;
   out["a_m"] = largest.shape.a;
   out["b_over_a"] = largest.shape.b_over_a();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/clumps.hpp"
+#include "analysis/remnants/clumps.hpp"
 #include "solver/step/solver.hpp"
 #include "tests/proof/lab.hpp"
 
@@ -14,8 +14,9 @@ namespace {
 constexpr double g = 9.81, rho0 = 2000, L0 = 1;
 
 /// Highest particles of the largest piece in columns two spacings wide.
-Surface surface_of(const State& s, double spacing, double time_unit) {
-  const Clump pile = friends_of_friends(s.x, s.id, linking_length_over_h * s.h).front();
+Surface surface_of(const particles::State& s, double spacing, double time_unit) {
+  const remnants::Clump pile =
+      remnants::friends_of_friends(s.x, s.id, remnants::linking_length_over_h * s.h).front();
   Surface surface{s.time / time_unit, {}, {}, 0, 0, 0};
   for (const std::uint32_t i : pile) {
     surface.front = std::max(surface.front, (s.x[i].x + spacing / 2) / L0);
@@ -55,11 +56,11 @@ std::vector<Surface> collapse(const Pile& pile, const std::vector<double>& times
         {{"gravity_interval", 1},  // a new dt every step
          {"viscosity_alpha", pile.viscosity},
          {"viscosity_beta", 2 * pile.viscosity}}}});
-  State state = lattice_block({0, 0, 0}, {L0, H0, depth}, spacing, rho0);
+  particles::State state = lattice_block({0, 0, 0}, {L0, H0, depth}, spacing, rho0);
   // At rest under its weight, or the whole column would bounce.
   for (std::size_t i = 0; i < state.size(); ++i)
     state.rho[i] *= 1 + rho0 * g * (H0 - state.x[i].y) / K;
-  Solver solver(scene, std::move(state));
+  step::Solver solver(scene, std::move(state));
   const double time_unit = std::sqrt(H0 / g);
   std::vector<Surface> surfaces;
   for (const double time : times) {

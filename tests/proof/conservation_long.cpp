@@ -18,11 +18,11 @@ TEST(ReferenceImpact, ConservesWhatItMust) {
       friction{"friction heat", {}, {}}, total{"total - start", {}, {}};
   Curve energy{"energy / K", {}, {}}, momentum{"momentum / (M v)", {}, {}},
       angular{"angular momentum / L", {}, {}};
-  Totals first;
+  step::Totals first;
   double worst_energy = 0, worst_angular = 0, worst_momentum = 0, worst_mass = 0;
-  const ImpactEnd end = followed(scene, 30000, 150, [&](const Solver& solver) {
-    const Totals now = totals(scene, solver.state());
-    if (first.mass == 0) first = totals(scene, solver.state());
+  const ImpactEnd end = followed(scene, 30000, 150, [&](const step::Solver& solver) {
+    const step::Totals now = step::totals(scene, solver.state());
+    if (first.mass == 0) first = step::totals(scene, solver.state());
     const double K = first.kinetic_energy, t = solver.state().time;
     const auto add = [t](Curve& curve, double y) { curve.x.push_back(t), curve.y.push_back(y); };
     add(kinetic, now.kinetic_energy / K);
@@ -47,7 +47,7 @@ TEST(ReferenceImpact, ConservesWhatItMust) {
                 "dual force with the correction of the step before, and the tree");
   record.within("energy, largest change over kinetic energy", worst_energy, 0, 2e-3,
                 "every term has its partner; error of the time step and of the tree");
-  const Totals& last = end.last;
+  const step::Totals& last = end.last;
   record.within("heat of viscosity and friction over internal energy",
                 (last.viscous_heat + last.friction_heat) / last.internal_energy, 0.95, 1.05,
                 "the rest is elastic: at most 2 % of the kinetic energy");

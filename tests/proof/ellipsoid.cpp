@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analysis/shape.hpp"
+#include "analysis/shapes/shape.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
@@ -48,9 +48,9 @@ StabilityLimit stability_limit(double a, double b, double c, double mu_d) {
   return limit;
 }
 
-Figure3 figure_of(const Scene& scene, const State& state) {
-  const Shape shape = ellipsoid_of_inertia(state.x);
-  const auto spin = angular_velocity(state.x, state.v);
+Figure3 figure_of(const Scene& scene, const particles::State& state) {
+  const shapes::Shape shape = shapes::ellipsoid_of_inertia(state.x);
+  const auto spin = shapes::angular_velocity(state.x, state.v);
   const double omega = spin ? norm(*spin) : 0;
   return {shape.b_over_a(), shape.c_over_a(), shape.a,
           omega * omega / (2 * pi * newton_G * scene.material.rho0_kg_per_m3)};
@@ -70,8 +70,8 @@ Scene with_friction(const Scene& scene, double phi_d_deg) {
 
 }  // namespace
 
-State resting_ellipsoid(const Scene& scene, double ratio, double W) {
-  State state = make_body(scene, Body::target);
+particles::State resting_ellipsoid(const Scene& scene, double ratio, double W) {
+  particles::State state = initial::make_body(scene, particles::Body::target);
   const Vec3 omega = spin_of(scene, W);
   const double along = std::pow(ratio, -2.0 / 3), across = along * ratio;
   for (std::size_t i = 0; i < state.size(); ++i) {
@@ -81,21 +81,21 @@ State resting_ellipsoid(const Scene& scene, double ratio, double W) {
     state.S[i] = {};
   }
   // Friction of 75 degrees holds any of these shapes; motion relative to the spin is damped away.
-  Solver solver(with_friction(scene, 75), state);
+  step::Solver solver(with_friction(scene, 75), state);
   const double crossing = scene.target.radius_m / solver.material().longitudinal_speed();
   while (solver.state().time < 40 * crossing) {
     const double before = solver.state().time;
     solver.cycle(1e9);
     solver.damp(std::exp((before - solver.state().time) / (2 * crossing)), omega);
   }
-  State rested = solver.state();
+  particles::State rested = solver.state();
   rested.time = 0, rested.step = 0;
   return rested;
 }
 
-SpinUp spun_up(const Scene& scene, State state, double W_begin, double W_end, double seconds,
-               double failure) {
-  Solver solver(scene, std::move(state));
+SpinUp spun_up(const Scene& scene, particles::State state, double W_begin, double W_end,
+               double seconds, double failure) {
+  step::Solver solver(scene, std::move(state));
   const double a0 = figure_of(scene, solver.state()).a;
   const Vec3 torque = (spin_of(scene, W_end) - spin_of(scene, W_begin)) / seconds;
   SpinUp result;

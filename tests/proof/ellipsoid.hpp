@@ -27,11 +27,11 @@ AttractionCoefficients attraction(double a, double b, double c);
 struct Figure3 {
   double b_over_a, c_over_a, a, W;
 };
-Figure3 figure_of(const Scene& scene, const State& state);
+Figure3 figure_of(const Scene& scene, const particles::State& state);
 
 /// A body of `scene` pressed into the axes ratios b/a = c/a = `ratio`, of unchanged volume,
 /// spinning at W; brought to rest in its own frame with more friction than it will have.
-State resting_ellipsoid(const Scene& scene, double ratio, double W);
+particles::State resting_ellipsoid(const Scene& scene, double ratio, double W);
 
 /// Follows it at `scene`'s friction for `seconds` while W^(1/2) rises evenly to that of W_end.
 /// Returns the W at which a has grown by `failure` of itself, or -1 where it never has.
@@ -39,7 +39,7 @@ struct SpinUp {
   double W_failed = -1;
   Figure3 last;
 };
-SpinUp spun_up(const Scene& scene, State state, double W_begin, double W_end, double seconds,
-               double failure);
+SpinUp spun_up(const Scene& scene, particles::State state, double W_begin, double W_end,
+               double seconds, double failure);
 
 }  // namespace eerie::proof

@@ -38,7 +38,7 @@ TEST(GranularEllipsoid, FailsAtTheSpinOfTheory) {
       theory.x.push_back(r), theory.y.push_back(stability_limit(1, r, r, mu).fastest);
     for (const double ratio : {0.8, 0.5, 0.3}) {
       const double limit = stability_limit(1, ratio, ratio, mu).fastest;
-      const State body = resting_ellipsoid(rubble(phi), ratio, 0.5 * limit);
+      const particles::State body = resting_ellipsoid(rubble(phi), ratio, 0.5 * limit);
       const SpinUp result = spun_up(rubble(phi), body, 0.5 * limit, 1.6 * limit, 20000, 0.05);
       record.within(fmt::format("W/W_limit at failure, {:g} deg, b/a {:g}", phi, ratio),
                     result.W_failed / limit, 0.85, 1.15, reason);

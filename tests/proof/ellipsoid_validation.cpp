@@ -38,7 +38,7 @@ TEST(StabilityLimit, OfASphereIsThatOfTheClosedForm) {
 TEST(GranularEllipsoid, StandsInsideItsLimitAndFailsOutside) {
   const Scene scene = rubble(40);
   const double limit = stability_limit(1, 0.5, 0.5, std::tan(radians(40))).fastest;
-  const State body = resting_ellipsoid(scene, 0.5, 0.7 * limit);
+  const particles::State body = resting_ellipsoid(scene, 0.5, 0.7 * limit);
   const SpinUp result = spun_up(scene, body, 0.7 * limit, 1.4 * limit, 5000, 0.05);
   // 300 particles; the limit is an average over the volume, and edges give way a little earlier.
   EXPECT_GT(result.W_failed, 0.85 * limit);
@@ -50,7 +50,7 @@ TEST(GranularEllipsoid, OfTooLittleFrictionFallsInUnderItsOwnGravity) {
   // limit is 0.27).
   const auto end_over_start = [](double phi, double ratio) {
     const Scene scene = rubble(phi);
-    const State body = resting_ellipsoid(scene, ratio, 0);
+    const particles::State body = resting_ellipsoid(scene, ratio, 0);
     return spun_up(scene, body, 0, 0, 4000, 1).last.b_over_a / ratio;
   };
   EXPECT_GT(stability_limit(1, 0.3, 0.3, std::tan(radians(15))).slowest, 0);

@@ -15,11 +15,11 @@ Scene impact_scene(int particles_per_target, const nlohmann::json& changes) {
 }
 
 ImpactEnd followed(const Scene& scene, double end_s, int rows,
-                   const std::function<void(const Solver&)>& each) {
+                   const std::function<void(const step::Solver&)>& each) {
   ImpactEnd end;
   try {
-    Solver solver(scene, make_impact(scene));
-    end.first = totals(scene, solver.state());
+    step::Solver solver(scene, initial::make_impact(scene));
+    end.first = step::totals(scene, solver.state());
     const std::clock_t start = std::clock();
     for (int row = 1; row <= std::max(rows, 1); ++row) {
       const double until = end_s * row / std::max(rows, 1);
@@ -27,8 +27,8 @@ ImpactEnd followed(const Scene& scene, double end_s, int rows,
       if (each) each(solver);
     }
     end.cpu_seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    end.last = totals(scene, solver.state());
-    end.analysis = analyse({scene, solver.state(), solver.pressure(), {}, {}});
+    end.last = step::totals(scene, solver.state());
+    end.analysis = remnants::analyse({scene, solver.state(), solver.pressure(), {}, {}});
     end.steps = static_cast<double>(solver.state().step);
     end.particle_steps = end.steps * static_cast<double>(solver.state().size());
     end.list_builds = static_cast<double>(solver.list_builds());

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "analysis/analysis.hpp"
+#include "analysis/remnants/analysis.hpp"
 #include "solver/step/solver.hpp"
 #include "solver/step/totals.hpp"
 
@@ -14,20 +14,20 @@ Scene impact_scene(int particles_per_target, const nlohmann::json& changes);
 
 /// What came of an impact.
 struct ImpactEnd {
-  Analysis analysis;
-  Totals first, last;
+  remnants::Analysis analysis;
+  step::Totals first, last;
   double angular_momentum_drift = 0,
          energy_drift = 0;  ///< over |L| and kinetic energy at the start
   double steps = 0, particle_steps = 0, list_builds = 0, cpu_seconds = 0;
   bool failed = false;
   std::string failure;  ///< kind of the numerical error
 
-  const Remnant& largest() const { return analysis.remnants.at(0); }
+  const remnants::Remnant& largest() const { return analysis.remnants.at(0); }
 };
 
 /// Runs `scene` to `end_s`; `each` sees the solver after every row of `rows` equal intervals.
 /// A numerical error is a result here: it is kept and the run ends.
 ImpactEnd followed(const Scene& scene, double end_s, int rows = 0,
-                   const std::function<void(const Solver&)>& each = {});
+                   const std::function<void(const step::Solver&)>& each = {});
 
 }  // namespace eerie::proof

@@ -4,11 +4,11 @@
 
 namespace eerie::proof {
 
-State lattice_block(const Vec3& lo, const Vec3& hi, double spacing, double rho,
-                    const std::function<bool(const Vec3&)>& inside, double h_over_spacing,
-                    double jitter) {
+particles::State lattice_block(const Vec3& lo, const Vec3& hi, double spacing, double rho,
+                               const std::function<bool(const Vec3&)>& inside,
+                               double h_over_spacing, double jitter) {
   Random random(1, 99);
-  State s;
+  particles::State s;
   s.mass = rho * spacing * spacing * spacing;
   s.h = h_over_spacing * spacing;
   const auto count = [&](int k) { return std::lround((hi[k] - lo[k]) / spacing); };
@@ -21,7 +21,7 @@ State lattice_block(const Vec3& lo, const Vec3& hi, double spacing, double rho,
         const Vec3 x = site + (jitter * spacing * random.uniform()) * random.direction();
         if (!inside || inside(site)) s.x.push_back(x);
       }
-  resize(s, s.x.size());
+  particles::resize(s, s.x.size());
   for (std::size_t i = 0; i < s.size(); ++i) {
     s.id[i] = static_cast<std::uint32_t>(i);
     s.rho[i] = rho;
@@ -43,7 +43,7 @@ nlohmann::json elastic_material(double rho0, double bulk_modulus, double shear_m
           {"rheology", "elastic"}};
 }
 
-std::vector<double> zero_crossings(Solver& solver, const std::function<double()>& amplitude,
+std::vector<double> zero_crossings(step::Solver& solver, const std::function<double()>& amplitude,
                                    std::size_t count, double end_s) {
   std::vector<double> crossings;
   double before = amplitude(), time = solver.state().time;

@@ -14,9 +14,9 @@ namespace eerie::proof {
 /// inside its faces, so that mirror walls on the faces continue the lattice; only where `inside`
 /// says so. At rest, at the density `rho`, h = h_over_spacing x spacing.
 /// `jitter`: random displacement, in spacings, away from walls of the lattice's symmetry.
-State lattice_block(const Vec3& lo, const Vec3& hi, double spacing, double rho,
-                    const std::function<bool(const Vec3&)>& inside = {},
-                    double h_over_spacing = 1.2, double jitter = 0);
+particles::State lattice_block(const Vec3& lo, const Vec3& hi, double spacing, double rho,
+                               const std::function<bool(const Vec3&)>& inside = {},
+                               double h_over_spacing = 1.2, double jitter = 0);
 
 /// A laboratory scene: no self-gravity, defaults otherwise, `changes` on top (a JSON merge patch).
 Scene lab_scene(const nlohmann::json& changes);
@@ -26,7 +26,7 @@ nlohmann::json elastic_material(double rho0, double bulk_modulus, double shear_m
 
 /// Runs until `amplitude` has changed its sign `count` times, at most to `end_s`; the times, s, by
 /// linear interpolation between cycles.
-std::vector<double> zero_crossings(Solver& solver, const std::function<double()>& amplitude,
+std::vector<double> zero_crossings(step::Solver& solver, const std::function<double()>& amplitude,
                                    std::size_t count, double end_s);
 
 /// {"face": face, "at_m": at, "kind": kind}

@@ -54,15 +54,16 @@ Oscillation plate_oscillation(Support support, int layers, double artificial_str
        {"material", elastic_material(rho0, K, G)},
        {"numerics",
         {{"artificial_stress", artificial_stress}, {"precision", "double"}, {"cfl", 0.8}}}});
-  State state = lattice_block({0, -H / 2, 0}, {clamped ? L : L / 2, H / 2, depth}, d, rho0);
+  particles::State state =
+      lattice_block({0, -H / 2, 0}, {clamped ? L : L / 2, H / 2, depth}, d, rho0);
   const std::vector<Vec3> start = state.x;
   std::vector<double> mode;
   for (std::size_t i = 0; i < state.size(); ++i) {
     mode.push_back(shape(support, state.x[i].x));
     state.v[i].y = first_speed * mode.back();
   }
-  Solver solver(scene, std::move(state));
-  const State& now = solver.state();
+  step::Solver solver(scene, std::move(state));
+  const particles::State& now = solver.state();
   const auto amplitude = [&] {
     double sum = 0;
     for (std::size_t i = 0; i < now.size(); ++i) sum += now.v[i].y * mode[now.id[i]];

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "analysis/gnuplot.hpp"
+#include "analysis/drawing/gnuplot.hpp"
 #include "solver/base/file.hpp"
 
 namespace eerie::proof {
@@ -26,7 +26,7 @@ std::size_t colour_of(const Figure& figure, std::size_t k) {
 }
 
 std::string script_of(const Figure& figure, const fs::path& path) {
-  std::string script = gnuplot_terminal(path, 360, 230) + "\n";
+  std::string script = drawing::gnuplot_terminal(path, 360, 230) + "\n";
   script += fmt::format(
       "set xlabel {}\nset ylabel {}\nset key outside top center horizontal\n"
       "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n{}\n",
@@ -92,7 +92,7 @@ void Record::figure(const Figure& figure) {
   if (report_folder() == nullptr) return;
   const fs::path path = fs::path(report_folder()) / (figure.name + ".svg");
   fs::create_directories(report_folder());
-  run_gnuplot(script_of(figure, path), path);
+  drawing::run_gnuplot(script_of(figure, path), path);
   json_["blocks"].push_back(
       {{"kind", "figure"}, {"file", figure.name + ".svg"}, {"caption", figure.caption}});
 }

@@ -15,8 +15,9 @@ namespace {
 /// Shape of the largest remnant over time, and the end.
 ImpactEnd charted(const Scene& scene, double end_s, Figure& figure) {
   Curve shape{"b/a", {}, {}}, length{"a / 1 km", {}, {}}, mass{"M_{lr}/M", {}, {}};
-  const ImpactEnd end = followed(scene, end_s, 120, [&](const Solver& solver) {
-    const Analysis now = analyse({scene, solver.state(), solver.pressure(), {}, {}});
+  const ImpactEnd end = followed(scene, end_s, 120, [&](const step::Solver& solver) {
+    const remnants::Analysis now =
+        remnants::analyse({scene, solver.state(), solver.pressure(), {}, {}});
     if (now.remnants.empty()) return;
     const double t = solver.state().time;
     shape.x.push_back(t), shape.y.push_back(now.remnants[0].shape.b_over_a());
@@ -38,7 +39,7 @@ TEST(ReferenceImpact, MergesIntoOneExtremelyElongatedRemnant) {
                 {},          "set yrange [0:1.1]"};
   const ImpactEnd end = charted(impact_scene(5000, nlohmann::json::object()), 30000, figure);
   ASSERT_FALSE(end.failed) << end.failure;
-  const Remnant& r = end.largest();
+  const remnants::Remnant& r = end.largest();
   record.within("M_lr / M", r.mass_over_total, 0.93, 1, "almost complete merging");
   record.within(
       "b/a", r.shape.b_over_a(), 0.20, 0.31,
@@ -64,7 +65,7 @@ TEST(ReferenceImpact, LeavesNoExtremelyElongatedRemnantAtThirtyDegreesOfFriction
   const auto& remnants = end.analysis.remnants;
   ASSERT_FALSE(remnants.empty());
   record.within("remnants with b/a < 0.3",
-                static_cast<double>(std::ranges::count_if(remnants, &Remnant::eer)), 0, 0,
+                static_cast<double>(std::ranges::count_if(remnants, &remnants::Remnant::eer)), 0, 0,
                 "as in the paper, which has none at 30 degrees");
   record.within("M_lr / M", end.largest().mass_over_total, 0.9, 1, "the halves have met again");
   record.noted("b/a", end.largest().shape.b_over_a(), "above 0.3", "not far from an EER");

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "solver/base/sphere.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
 #include "tests/proof/ellipsoid.hpp"
@@ -17,8 +18,8 @@ TEST(RestingSphere, KeepsItsShapeForADay) {
                 "A body of R = 50 m (1,000 particles, phi_d 40 deg), settled, then left alone for "
                 "1e5 s: 150 dynamical times, 1e5 steps. Speeds in units of the escape speed.");
   const Scene scene = parse_scene({{"numerics", {{"particles_per_target", 1000}}}});
-  Solver solver(scene, make_body(scene, Body::target));
-  const double escape = escape_speed(2700, 50);
+  step::Solver solver(scene, initial::make_body(scene, particles::Body::target));
+  const double escape = escape_speed({50, 2700});
   const Figure3 first = figure_of(scene, solver.state());
   Curve speed{"rms speed / escape speed", {}, {}};
   double fastest = 0, pressure = 0;
@@ -40,7 +41,7 @@ TEST(RestingSphere, KeepsItsShapeForADay) {
   record.within("change of a, relative", std::abs(last.a / first.a - 1), 0, 2e-3,
                 "settling within the packing");
   record.within("mean pressure over (2/5) of the central one",
-                pressure / (0.4 * central_pressure(2700, 50)), 0.95, 1.12,
+                pressure / (0.4 * central_pressure({50, 2700})), 0.95, 1.12,
                 "virial theorem; the surface adds a part of order h/R = 0.19");
   record.figure({"rest",
                  "Speeds inside a resting sphere",

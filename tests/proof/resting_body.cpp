@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/base/error.hpp"
+#include "solver/base/sphere.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
 
@@ -23,7 +24,7 @@ Scene gentle(const Scene& scene) {
 
 }  // namespace
 
-double rms_speed(const State& state) {
+double rms_speed(const particles::State& state) {
   const auto n = static_cast<double>(state.size());
   Vec3 mean;
   for (const Vec3& v : state.v) mean += v / n;
@@ -35,9 +36,9 @@ double rms_speed(const State& state) {
 RestQuality rest_quality(const Scene& scene, double seconds) {
   RestQuality q;
   const double radius = scene.target.radius_m, rho = scene.material.rho0_kg_per_m3;
-  const double escape = escape_speed(rho, radius);
+  const double escape = escape_speed({radius, rho});
   try {
-    Solver solver(scene, make_body(gentle(scene), Body::target));
+    step::Solver solver(scene, initial::make_body(gentle(scene), particles::Body::target));
     double cycles = 0;
     while (solver.state().time < seconds) {
       solver.cycle(seconds);
@@ -46,7 +47,7 @@ RestQuality rest_quality(const Scene& scene, double seconds) {
       for (const double one : solver.pressure()) p += one;
       const auto n = static_cast<double>(solver.state().size());
       q.rms_speed = std::max(q.rms_speed, rms_speed(solver.state()) / escape);
-      q.pressure += p / n / (0.4 * central_pressure(rho, radius));
+      q.pressure += p / n / (0.4 * central_pressure({radius, rho}));
       ++cycles;
     }
     q.pressure /= std::max(1.0, cycles);

@@ -8,7 +8,7 @@
 namespace eerie::proof {
 
 /// Root-mean-square speed of the particles about their mean, m/s.
-double rms_speed(const State& state);
+double rms_speed(const particles::State& state);
 
 /// How a body of rubble keeps at rest under some numerics. It is settled with the defaults and
 /// then left alone.

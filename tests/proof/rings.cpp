@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analysis/clumps.hpp"
+#include "analysis/remnants/clumps.hpp"
 #include "solver/step/solver.hpp"
 #include "tests/proof/lab.hpp"
 
@@ -29,22 +29,23 @@ RingsOutcome collide(const Rings& rings, double time) {
   // Whole numbers of spacings, so that the planes of symmetry lie between particles.
   const double length = d * std::ceil((centre + outer) / d), width = d * std::ceil(outer / d);
   const bool quarter = rings.quarter;
-  State state = lattice_block({quarter ? 0 : -length, quarter ? 0 : -width, 0},
-                              {length, width, depth}, d, rho0, is_ring, h_over_spacing);
+  particles::State state = lattice_block({quarter ? 0 : -length, quarter ? 0 : -width, 0},
+                                         {length, width, depth}, d, rho0, is_ring, h_over_spacing);
   std::vector<double> side;
   for (std::size_t i = 0; i < state.size(); ++i) {
     side.push_back(state.x[i].x > 0 ? 1 : -1);
     state.v[i].x = -0.059 * c0 * side.back();
   }
-  Solver solver(scene, std::move(state));
+  step::Solver solver(scene, std::move(state));
   const double end = time * outer / c0;
   while (solver.state().time < end) solver.cycle(end);
 
-  const State& s = solver.state();
+  const particles::State& s = solver.state();
   const auto n = static_cast<double>(s.size());
   RingsOutcome outcome{};
   // Links as at h = 1.2 spacings.
-  for (const Clump& piece : friends_of_friends(s.x, s.id, linking_length_over_h * 1.2 * d)) {
+  for (const remnants::Clump& piece :
+       remnants::friends_of_friends(s.x, s.id, remnants::linking_length_over_h * 1.2 * d)) {
     const double share = static_cast<double>(piece.size()) / n;
     outcome.largest_piece = std::max(outcome.largest_piece, share);
     if (share >= 0.01) ++outcome.pieces;

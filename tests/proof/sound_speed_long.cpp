@@ -38,7 +38,7 @@ TEST(ReducedSoundSpeed, ChangesTheRemnantOnlyWhenTheImpactIsFastForIt) {
       const ImpactEnd end = followed(scene, 30000);
       ASSERT_FALSE(end.failed) << end.failure;
       const double c = std::sqrt(26700 * factor / 2700), ratio = 0.2 / c;
-      const Remnant& r = end.largest();
+      const remnants::Remnant& r = end.largest();
       const double hours = r.spin_period.value_or(0) / 3600;
       shape.x.push_back(ratio), shape.y.push_back(r.shape.b_over_a());
       mass.x.push_back(ratio), mass.y.push_back(r.mass_over_total);

@@ -67,8 +67,8 @@ Spacing after_stirring(const char* kernel, double h_over_spacing) {
                                    {"linear", {{"bulk_modulus_Pa", 1000}}},
                                    {"rheology", "fluid"}}},
                                  {"numerics", {{"kernel", kernel}}}});
-  Solver solver(scene,
-                lattice_block({0, 0, 0}, {side, side, side}, 1, 1050, {}, h_over_spacing, 0.3));
+  step::Solver solver(
+      scene, lattice_block({0, 0, 0}, {side, side, side}, 1, 1050, {}, h_over_spacing, 0.3));
   while (solver.state().time < 100) solver.cycle(100);  // twelve crossings of the box
   Spacing s;
   const std::vector<Vec3>& x = solver.state().x;
@@ -139,8 +139,8 @@ TEST(Viscosity, TradesPenetrationAgainstDamping) {
     const Scene fast = impact_scene(
         500, {{"numerics", viscosity},
               {"impact", {{"separation", 1.3}, {"v_imp_cm_per_s", 100}, {"theta_imp_deg", 0}}}});
-    const ImpactEnd collision = followed(fast, 400, 1, [&](const Solver& solver) {
-      const State& s = solver.state();
+    const ImpactEnd collision = followed(fast, 400, 1, [&](const step::Solver& solver) {
+      const particles::State& s = solver.state();
       for (std::size_t i = 0; i < s.size(); ++i) {
         std::size_t nearest = i == 0 ? 1 : 0;
         for (std::size_t j = 0; j < s.size(); ++j)
@@ -226,7 +226,7 @@ TEST(CorrectionMatrix, IsMissedMostWhereItIsLeftOut) {
   for (const char* gradient : {"corrected", "corrected-rate", "plain"}) {
     const Scene scene = impact_scene(
         500, {{"numerics", {{"gradient", gradient}}}, {"impact", {{"separation", 1.3}}}});
-    const ImpactEnd end = followed(scene, 4000, 100, [&](const Solver& solver) {
+    const ImpactEnd end = followed(scene, 4000, 100, [&](const step::Solver& solver) {
       if (gradient != std::string("corrected")) return;
       alone.x.push_back(solver.state().time);
       alone.y.push_back(static_cast<double>(solver.uncorrected()) /

@@ -28,7 +28,7 @@ TEST(ParticleNumber, DecidesTheShapeMoreThanAnyOtherKnob) {
     const ImpactEnd end =
         followed(impact_scene(c.particles, {{"numerics", {{"seed", c.seed}}}}), 30000);
     ASSERT_FALSE(end.failed) << end.failure;
-    const Remnant& r = end.largest();
+    const remnants::Remnant& r = end.largest();
     shape.x.push_back(c.particles), shape.y.push_back(r.shape.b_over_a());
     rows.push_back({std::to_string(c.particles), std::to_string(c.seed),
                     fmt::format("{:.3f}", r.mass_over_total),
@@ -62,7 +62,7 @@ TEST(ParticleNumber, HardlyChangesTheFirstSpreading) {
   for (const int n : {300, 1000, 2000, 5000, 20000, 50000}) {
     const ImpactEnd end = followed(impact_scene(n, {{"impact", {{"separation", 1.3}}}}), 2000);
     ASSERT_FALSE(end.failed) << end.failure;
-    const Remnant& r = end.largest();
+    const remnants::Remnant& r = end.largest();
     length.x.push_back(n);
     lengths.push_back(r.shape.a);
     rows.push_back({std::to_string(n), fmt::format("{:.1f}", r.shape.a),
@@ -92,8 +92,9 @@ TEST(LateTimes, LeaveASettledRemnantAsItIs) {
       "s) neither shape nor spin may move. Without the dual force the spin is lost.");
   Curve shape{"b/a", {}, {}}, period{"period / 10 h", {}, {}}, mass{"M_{lr}/M", {}, {}};
   const Scene scene = impact_scene(1000, nlohmann::json::object());
-  const ImpactEnd end = followed(scene, 100000, 100, [&](const Solver& solver) {
-    const Remnant r = analyse({scene, solver.state(), solver.pressure(), {}, {}}).remnants.at(0);
+  const ImpactEnd end = followed(scene, 100000, 100, [&](const step::Solver& solver) {
+    const remnants::Remnant r =
+        remnants::analyse({scene, solver.state(), solver.pressure(), {}, {}}).remnants.at(0);
     const double t = solver.state().time;
     shape.x.push_back(t), shape.y.push_back(r.shape.b_over_a());
     period.x.push_back(t), period.y.push_back(r.spin_period.value_or(0) / 36000);

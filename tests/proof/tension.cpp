@@ -59,7 +59,7 @@ double weakest_flaw(double spacing, double particles) {
 
 Strength pull(const Pull& p) {
   const double side = p.across * p.spacing;
-  State state = lattice_block({0, 0, 0}, {side, side, side}, p.spacing, rho0);
+  particles::State state = lattice_block({0, 0, 0}, {side, side, side}, p.spacing, rho0);
   // Four particles from the free faces on, inwards.
   const double middle = side - 4 * p.spacing;
   std::vector<bool> inside;
@@ -69,13 +69,13 @@ Strength pull(const Pull& p) {
     state.v[i] = p.rate * x;
   }
   const auto counted = static_cast<double>(std::count(inside.begin(), inside.end(), true));
-  Solver solver(scene_of(p), std::move(state));
+  step::Solver solver(scene_of(p), std::move(state));
   Strength strength{};
   // Past the peak the tension falls by half at once; then the run is over.
   for (double tension = 0; tension > 0.7 * strength.peak || strength.peak == 0;) {
     solver.cycle(1e9);
     tension = 0;
-    const State& s = solver.state();
+    const particles::State& s = solver.state();
     for (std::size_t i = 0; i < s.size(); ++i)
       if (inside[s.id[i]]) tension -= solver.pressure()[i] / counted;
     if (tension <= strength.peak) continue;
@@ -88,12 +88,12 @@ Strength pull(const Pull& p) {
 
 double peak_without_inertia(const Pull& p) {
   const Scene scene = scene_of(p);
-  const GradyKipp law(scene.material);
+  const material::GradyKipp law(scene.material);
   const std::size_t n = static_cast<std::size_t>(p.across) * static_cast<std::size_t>(p.across) *
                         static_cast<std::size_t>(p.across);
   const double volume = p.spacing * p.spacing * p.spacing;
   Random random(7, 1);
-  const Flaws flaws = law.deal(n, volume * static_cast<double>(n), random);
+  const material::Flaws flaws = law.deal(n, volume * static_cast<double>(n), random);
   const double R_s = std::cbrt(3 * volume / (4 * pi));
   const double dt = continuum_peak_time(p.rate) / steps_to_peak;
   std::vector<double> damage_cbrt(n, 0.0);

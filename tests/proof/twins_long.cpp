@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analysis/clumps.hpp"
+#include "analysis/remnants/clumps.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/tree/gravity.hpp"
 #include "solver/tree/neighbour_list.hpp"
@@ -18,11 +18,11 @@ namespace {
 struct Coverage {
   double missing = 0, listed = 0, close = 0;
 };
-Coverage coverage(const NeighbourList& lists, const std::vector<Vec3>& x, double radius) {
+Coverage coverage(const tree::NeighbourList& lists, const std::vector<Vec3>& x, double radius) {
   Coverage found;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const BucketList& list = lists[i / bucket_size];
-    const std::size_t k = i % bucket_size;
+    const tree::BucketList& list = lists[i / tree::bucket_size];
+    const std::size_t k = i % tree::bucket_size;
     std::vector<bool> has(x.size(), false);
     for (std::uint32_t l = list.begin[k]; l < list.begin[k + 1]; ++l)
       if (list.index[l] < list.rows.size()) has[list.rows[list.index[l]]] = true, ++found.listed;
@@ -42,14 +42,14 @@ TEST(BruteForce, AgreesWithTheFastCodeInTheMiddleOfAnImpact) {
       "ejecta: neighbour lists against all pairs, the tree's gravity against the direct "
       "sum, remnants by friends-of-friends against a walk over all pairs. `make test` does "
       "the same on a dozen clouds of points, and axes and spins of exact ellipsoids.");
-  State s;
+  particles::State s;
   const Scene scene = impact_scene(1000, nlohmann::json::object());
-  followed(scene, 6000, 1, [&](const Solver& solver) { s = solver.state(); });
+  followed(scene, 6000, 1, [&](const step::Solver& solver) { s = solver.state(); });
   ASSERT_GT(s.size(), 0u);
-  KdTree tree(s.size());
+  tree::KdTree tree(s.size());
   tree.fit(s.x);
 
-  NeighbourList lists(2 * s.h, 0.2 * s.h);
+  tree::NeighbourList lists(2 * s.h, 0.2 * s.h);
   lists.build(tree, s.x);
   const Coverage found = coverage(lists, s.x, 2 * s.h);
   record.within("pairs within 2h that the lists lack", found.missing, 0, 0, "lists are complete");
@@ -57,12 +57,12 @@ TEST(BruteForce, AgreesWithTheFastCodeInTheMiddleOfAnImpact) {
                 "a skin of 0.1 adds (1.1)^3 = 1.33 inside a body");
 
   std::vector<Vec3> direct, g;
-  Gravity({s.mass, s.h, 0}).accelerations(tree, s.x, direct);
+  tree::Gravity({s.mass, s.h, 0}).accelerations(tree, s.x, direct);
   double scale = 0;
   for (const Vec3& a : direct) scale += norm2(a);
   Curve error{"root-mean-square error", {}, {}, "linespoints lw 2 pt 7 ps 0.4"};
   for (const double theta : {0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 1.2}) {
-    Gravity({s.mass, s.h, theta}).accelerations(tree, s.x, g);
+    tree::Gravity({s.mass, s.h, theta}).accelerations(tree, s.x, g);
     double sum = 0;
     for (std::size_t i = 0; i < g.size(); ++i) sum += norm2(g[i] - direct[i]);
     error.x.push_back(theta), error.y.push_back(std::sqrt(sum / scale));
@@ -74,10 +74,10 @@ TEST(BruteForce, AgreesWithTheFastCodeInTheMiddleOfAnImpact) {
   record.within("order of the error between theta 0.35 and 0.7", std::log2(error.y[4] / error.y[2]),
                 2, 6, "octupoles are the first left out: theta^3, less what averages away");
 
-  const auto fast = friends_of_friends(s.x, s.id, linking_length_over_h * s.h);
+  const auto fast = remnants::friends_of_friends(s.x, s.id, remnants::linking_length_over_h * s.h);
   std::vector<std::size_t> piece(s.size());
   for (std::size_t i = 0; i < piece.size(); ++i) piece[i] = i;
-  const double link = linking_length_over_h * s.h;
+  const double link = remnants::linking_length_over_h * s.h;
   const auto root = [&](std::size_t i) {
     while (piece[i] != i) i = piece[i];
     return i;
@@ -87,7 +87,7 @@ TEST(BruteForce, AgreesWithTheFastCodeInTheMiddleOfAnImpact) {
       if (norm2(s.x[i] - s.x[j]) < link * link) piece[root(i)] = root(j);
   double pieces = 0, split = 0;
   for (std::size_t i = 0; i < s.size(); ++i) pieces += root(i) == i;
-  for (const Clump& clump : fast)
+  for (const remnants::Clump& clump : fast)
     for (const std::uint32_t i : clump) split += root(i) != root(clump.front());
   record.within("clumps, fast minus brute force", static_cast<double>(fast.size()) - pieces, 0, 0,
                 "the same pieces");

@@ -67,13 +67,13 @@ Gas riemann(const Gas& left, const Gas& right, double gamma, double speed) {
 
 Sod sod_tube(int half, double h_over_spacing) {
   const double d = Sod::length / 2 / half, width = 8 * d, end = Sod::length / 2;
-  State state = lattice_block({-end, 0, 0}, {0, width, width}, d, Sod::left.rho);
-  const State thin =
+  particles::State state = lattice_block({-end, 0, 0}, {0, width, width}, d, Sod::left.rho);
+  const particles::State thin =
       lattice_block({0, 0, 0}, {end, width, width}, 2 * d, Sod::right.rho, {}, h_over_spacing);
   state.h = thin.h;  // at the reference density, that of the thin gas
   state.x.insert(state.x.end(), thin.x.begin(), thin.x.end());
   state.rho.insert(state.rho.end(), thin.rho.begin(), thin.rho.end());
-  resize(state, state.x.size(), {.energy = true});
+  particles::resize(state, state.x.size(), {.energy = true});
   std::iota(state.id.begin(), state.id.end(), 0u);
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Gas& gas = state.x[i].x < 0 ? Sod::left : Sod::right;
@@ -87,15 +87,15 @@ Sod sod_tube(int half, double h_over_spacing) {
                    {"energy", "integrated"},
                    {"rheology", "fluid"}}},
                  {"numerics", {{"smoothing", "evolving"}, {"gravity_interval", 1}}}});
-  const auto energy = [&](const State& s) {
-    const Totals t = totals(scene, s);
+  const auto energy = [&](const particles::State& s) {
+    const step::Totals t = step::totals(scene, s);
     return t.kinetic_energy + t.internal_energy;
   };
   const double before = energy(state);
-  Solver solver(scene, std::move(state));
+  step::Solver solver(scene, std::move(state));
   while (solver.state().time < Sod::time) solver.cycle(Sod::time);
 
-  const State& s = solver.state();
+  const particles::State& s = solver.state();
   std::vector<std::size_t> order(s.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),
@@ -129,7 +129,7 @@ double wave_speed_ratio(Wave wave, int across) {
                                    {"viscosity_beta", 0},
                                    {"cfl", 0.2},
                                    {"gravity_interval", 1}}}});
-  State state = lattice_block({0, 0, 0}, size, d, rho0, {}, h_over_spacing);
+  particles::State state = lattice_block({0, 0, 0}, size, d, rho0, {}, h_over_spacing);
   const double k = pi / side;
   const double theory = shear ? std::sqrt(G / rho0) : std::sqrt((K + 4 * G / 3) / rho0);
   const double frequency = theory * k * (shear ? std::sqrt(2.) : 1);
@@ -141,7 +141,7 @@ double wave_speed_ratio(Wave wave, int across) {
                     : Vec3{std::sin(k * x.x), 0, 0};
     state.v[i] = 1e-4 * theory * mode[i];
   }
-  Solver solver(scene, std::move(state));
+  step::Solver solver(scene, std::move(state));
   const auto amplitude = [&] {
     double sum = 0;
     for (std::size_t i = 0; i < solver.state().size(); ++i)
@@ -161,8 +161,8 @@ double expected_speed_ratio(Wave wave, int across) {
       for (int c = -3; c <= 3; ++c) {
         const double r = std::sqrt(a * a + b * b + c * c);
         if (r > 0)
-          C -= CubicSpline::normalisation / std::pow(h, 5) * CubicSpline::dw_over_q(r / h, h / r) *
-               a * a;
+          C -= sph::CubicSpline::normalisation / std::pow(h, 5) *
+               sph::CubicSpline::dw_over_q(r / h, h / r) * a * a;
       }
   const bool shear = wave == Wave::shear;
   const double kh = pi * h / across * (shear ? std::sqrt(2.) : 1);

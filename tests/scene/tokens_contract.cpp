@@ -25,11 +25,11 @@ void expect_same_names(const char* field) {
 }
 
 TEST(Tokens, OfEveryVariantListAreThoseOfTheSchema) {
-  expect_same_names<Eos>("material.eos");
-  expect_same_names<Rheology>("material.rheology");
-  expect_same_names<Fracture>("material.fracture");
-  expect_same_names<KernelChoice>("numerics.kernel");
-  expect_same_names<Integrator>("numerics.integrator");
+  expect_same_names<material::Eos>("material.eos");
+  expect_same_names<material::Rheology>("material.rheology");
+  expect_same_names<material::Fracture>("material.fracture");
+  expect_same_names<sph::KernelChoice>("numerics.kernel");
+  expect_same_names<step::Integrator>("numerics.integrator");
 }
 
 TEST(Tokens, OfTheSchemesAreThoseOfTheSchemaAndEachMakesAScene) {

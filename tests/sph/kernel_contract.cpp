@@ -9,7 +9,7 @@
 #include "solver/sph/kernel.hpp"
 #include "tests/support/variant_types.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 namespace {
 
 /// What every kernel owes to the sums: q = r/h, support 2.
@@ -79,4 +79,4 @@ TYPED_TEST(KernelContract, IsFoundByItsToken) {
 TEST(Kernel, UnknownNameIsRefused) { EXPECT_THROW(make_kernel("top-hat"), InputError); }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::sph

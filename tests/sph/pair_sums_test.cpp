@@ -13,7 +13,7 @@
 #include "tests/support/particles.hpp"
 #include "tests/support/variant_types.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 namespace {
 
 /// What the sums are taken over: a disordered ball with every quantity of its own at each
@@ -103,12 +103,12 @@ std::vector<NeighbourSums> all_pairs(const Particles& p, const Viscosity& visc,
 template <class Sums>
 std::vector<NeighbourSums> swept(const Particles& p, const Viscosity& visc, double skin = 0.1,
                                  const ExtraTerms& extra = {}) {
-  NeighbourList lists(2 * h, 2 * h * skin, {}, row_units<typename Sums::Number>);
+  tree::NeighbourList lists(2 * h, 2 * h * skin, {}, row_units<typename Sums::Number>);
   lists.build(test::fitted_tree(p.x), p.x);
   Sums sums(h, mass, visc, extra);
   sums.rows.resize(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (i % bucket_size == 0) sums.rows.set_origin(i / bucket_size, p.x[i], p.v[i]);
+    if (i % tree::bucket_size == 0) sums.rows.set_origin(i / tree::bucket_size, p.x[i], p.v[i]);
     sums.rows.set(i, p.x[i], p.v[i], p.V[i], p.c[i], rows_of(p.T[i]));
     if constexpr (Sums::sheared) sums.rows.set_shear(i, p.e[i]);
     if constexpr (Sums::extended) sums.rows.set_extra(i, p.R[i], p.h_of[i]);
@@ -362,4 +362,4 @@ TEST(PairSums, ScatteredEjectaKeepTheAccuracyOfTheirBucket) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::sph

@@ -8,7 +8,7 @@
 #include "solver/sph/kernel.hpp"
 #include "tests/support/particles.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 namespace {
 
 using test::difference;
@@ -198,12 +198,13 @@ TEST(Correction, OfDensityAndPressureIsThatOfAFlatSurfaceAndLeavesEdgesAlone) {
 }
 
 TEST(Density, StaysPositiveHoweverFastItFallsAndIsSmooth) {
-  EXPECT_EQ(changed_density(2700, -10), 2690);
-  EXPECT_EQ(changed_density(2700, 10), 2710);
-  EXPECT_NEAR(changed_density(1000, -500), 500, 1e-9);
-  EXPECT_NEAR(changed_density(1000, -501) - changed_density(1000, -499), -2, 0.02);
-  EXPECT_GT(changed_density(1000, -1e9), 0);
+  EXPECT_EQ(particles::changed_density(2700, -10), 2690);
+  EXPECT_EQ(particles::changed_density(2700, 10), 2710);
+  EXPECT_NEAR(particles::changed_density(1000, -500), 500, 1e-9);
+  EXPECT_NEAR(particles::changed_density(1000, -501) - particles::changed_density(1000, -499), -2,
+              0.02);
+  EXPECT_GT(particles::changed_density(1000, -1e9), 0);
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::sph

@@ -11,7 +11,7 @@
 #include "solver/tree/images.hpp"
 #include "tests/support/particles.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 namespace {
 
 constexpr double h = 1.2;
@@ -35,10 +35,11 @@ std::vector<Particle> boxful() {
 
 /// All particles and all their images, as the walls are described: position reflected, velocity
 /// reflected (slip) or reversed (rough), stress reflected (slip) or passed on (rough).
-std::vector<Particle> with_copies(std::vector<Particle> all, const std::vector<Mirror>& mirrors) {
+std::vector<Particle> with_copies(std::vector<Particle> all,
+                                  const std::vector<tree::Mirror>& mirrors) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t before = all.size();
-    for (const Mirror& mirror : mirrors)
+    for (const tree::Mirror& mirror : mirrors)
       for (std::size_t i = 0; mirror.axis == axis && i < before; ++i) {
         Particle copy = all[i];
         copy.x[axis] = 2 * mirror.at - copy.x[axis];
@@ -70,16 +71,17 @@ NeighbourSums brute_force(const std::vector<Particle>& all, std::size_t i) {
   return s;
 }
 
-void expect_sums_over_images(const std::vector<Mirror>& mirrors) {
+void expect_sums_over_images(const std::vector<tree::Mirror>& mirrors) {
   const std::vector<Particle> particles = boxful(), all = with_copies(particles, mirrors);
   std::vector<Vec3> x;
   for (const Particle& p : particles) x.push_back(p.x);
-  NeighbourList lists(2 * h, 0.2 * h, images_of(mirrors), row_units<double>);
+  tree::NeighbourList lists(2 * h, 0.2 * h, tree::images_of(mirrors), row_units<double>);
   lists.build(test::fitted_tree(x), x);
   PairSums<double, CubicSpline> sums(h, 1, {0, 0});
   sums.rows.resize(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (i % bucket_size == 0) sums.rows.set_origin(i / bucket_size, x[i], particles[i].v);
+    if (i % tree::bucket_size == 0)
+      sums.rows.set_origin(i / tree::bucket_size, x[i], particles[i].v);
     sums.rows.set(i, x[i], particles[i].v, 1, 1, rows_of(particles[i].T));
   }
   double scale = 0, G = 0, force = 0;
@@ -102,9 +104,10 @@ TEST(Walls, OneMakesASumOverOneImageOfEach) {
 }
 
 TEST(Walls, OfSeveralAxesMakeTheImagesOfEdgesAndCornersToo) {
-  const std::vector<Mirror> box = {{0, true, 0, false},  {0, false, 6, false}, {1, true, 0, true},
-                                   {1, false, 6, false}, {2, true, 0, false},  {2, false, 6, true}};
-  EXPECT_EQ(images_of(box).size(), 26u);
+  const std::vector<tree::Mirror> box = {{0, true, 0, false}, {0, false, 6, false},
+                                         {1, true, 0, true},  {1, false, 6, false},
+                                         {2, true, 0, false}, {2, false, 6, true}};
+  EXPECT_EQ(tree::images_of(box).size(), 26u);
   expect_sums_over_images(box);
 }
 
@@ -112,7 +115,7 @@ TEST(Walls, AListIsUsedUpWhenAParticleHasMovedHalfTheSkin) {
   const std::vector<Particle> particles = boxful();
   std::vector<Vec3> x;
   for (const Particle& p : particles) x.push_back(p.x);
-  NeighbourList lists(2 * h, 0.2, images_of({{2, true, 0, false}}));
+  tree::NeighbourList lists(2 * h, 0.2, tree::images_of({{2, true, 0, false}}));
   lists.build(test::fitted_tree(x), x);
   // Flying along a wall together is no rigid motion of the images: nothing is taken out.
   for (Vec3& at : x) at.z += 0.09;
@@ -122,4 +125,4 @@ TEST(Walls, AListIsUsedUpWhenAParticleHasMovedHalfTheSkin) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::sph

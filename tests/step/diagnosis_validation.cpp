@@ -1,14 +1,15 @@
 #include <gtest/gtest.h>
 
+#include "solver/base/sphere.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/diagnosis.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace eerie {
+namespace eerie::step {
 namespace {
 
-Snapshot body(const Scene& scene, const std::function<Vec3(const Vec3&)>& velocity) {
-  Snapshot s{scene, make_body(scene, Body::target), {}, {}, {}};
+io::Snapshot body(const Scene& scene, const std::function<Vec3(const Vec3&)>& velocity) {
+  io::Snapshot s{scene, initial::make_body(scene, particles::Body::target), {}, {}, {}};
   for (std::size_t i = 0; i < s.state.size(); ++i) s.state.v[i] = velocity(s.state.x[i]);
   return s;
 }
@@ -18,7 +19,7 @@ TEST(Diagnosis, OfARestingBodyIsItsPressureAndItsDensity) {
   const Diagnosis d = diagnose(body(scene, [](const Vec3&) { return Vec3{}; }));
   // Mean pressure of a uniform sphere: two fifths of the central one, 2.55 Pa; the free surface
   // adds a part of order h/R.
-  EXPECT_NEAR(d.eos_pressure / (0.4 * central_pressure(2700, 50)), 1, 0.12);
+  EXPECT_NEAR(d.eos_pressure / (0.4 * central_pressure({50, 2700})), 1, 0.12);
   EXPECT_EQ(d.viscous_pressure, 0);
   EXPECT_LT(d.pressureless, 0.1);
   EXPECT_GT(d.interior, 0.4);
@@ -40,7 +41,7 @@ TEST(Diagnosis, SeesThatMonaghansViscosityPressesInShearAndTheShearFreeOneDoesNo
 
 TEST(Diagnosis, SeesADensityThatHasDrifted) {
   const Scene scene = test::small_scene({{"numerics", {{"particles_per_target", 1000}}}});
-  Snapshot s = body(scene, [](const Vec3&) { return Vec3{}; });
+  io::Snapshot s = body(scene, [](const Vec3&) { return Vec3{}; });
   for (double& rho : s.state.rho) rho *= 0.8;
   const Diagnosis d = diagnose(s);
   EXPECT_NEAR(d.density_error, 0.2, 0.05);
@@ -48,4 +49,4 @@ TEST(Diagnosis, SeesADensityThatHasDrifted) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::step

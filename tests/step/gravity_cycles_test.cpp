@@ -6,13 +6,13 @@
 #include "solver/step/solver.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace eerie {
+namespace eerie::step {
 namespace {
 
 /// Positions by id after `cycles` cycles, each followed by a moment of its own where that is not 0.
 std::vector<Vec3> after(int cycles, double moment_s) {
   const Scene scene = test::small_scene();
-  Solver solver(scene, make_impact(scene));
+  Solver solver(scene, initial::make_impact(scene));
   for (int k = 0; k < cycles; ++k) {
     solver.cycle(1e9);
     if (moment_s > 0) solver.cycle(solver.state().time + moment_s);
@@ -35,4 +35,4 @@ TEST(Gravity, IsNotUpsetByCyclesCutToAMoment) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::step

@@ -5,7 +5,7 @@
 #include "solver/step/integrator.hpp"
 #include "tests/support/variant_types.hpp"
 
-namespace eerie {
+namespace eerie::step {
 namespace {
 
 /// A damped anharmonic oscillator with a force that depends on position, speed and an internal
@@ -95,4 +95,4 @@ TYPED_TEST(IntegratorContract, MovesUniformlyToTheLastDigits) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::step

@@ -6,9 +6,9 @@
 
 #include "solver/base/error.hpp"
 #include "solver/step/solver.hpp"
-#include "tests/step/runs.hpp"
+#include "tests/run/runs.hpp"
 
-namespace eerie {
+namespace eerie::step {
 namespace {
 
 using nlohmann::json;
@@ -27,9 +27,9 @@ Scene late_impact(const json& more = json::object()) {
   return test::short_impact(fields);
 }
 
-RunOptions calm_from(double time) {
-  RunOptions options;
-  options.calm = [time](const Snapshot& s) { return s.state.time > time; };
+run::RunOptions calm_from(double time) {
+  run::RunOptions options;
+  options.calm = [time](const io::Snapshot& s) { return s.state.time > time; };
   return options;
 }
 
@@ -44,7 +44,7 @@ TEST(LatePhase, HasSoundSpeedsTimesTheFactor) {
 TEST(LatePhase, BeginsWithThePressuresThatWereThere) {
   const Scene scene = late_impact();
   const TemporaryFolder folder;
-  const Snapshot before = run_in(folder, scene).summary.last;
+  const io::Snapshot before = run_in(folder, scene).summary.last;
   ASSERT_EQ(before.state.softening, 1);
   const Solver after(scene, softened(before.state, before.pressure, scene));
   EXPECT_EQ(after.state().softening, 0.25);
@@ -62,19 +62,19 @@ TEST(LatePhase, BeginsWithThePressuresThatWereThere) {
 TEST(LatePhase, TakesLongerStepsAndIsKeptInTheState) {
   const Scene scene = late_impact();
   const TemporaryFolder folder, other;
-  const RunSummary late = run_in(folder, scene, calm_from(30)).summary;
-  const RunSummary never = run_in(other, scene, calm_from(1e9)).summary;
+  const run::RunSummary late = run_in(folder, scene, calm_from(30)).summary;
+  const run::RunSummary never = run_in(other, scene, calm_from(1e9)).summary;
   EXPECT_EQ(late.last.state.softening, 0.25);
   EXPECT_EQ(never.last.state.softening, 1);
-  EXPECT_EQ(read_snapshot(folder / "final.hdf5").state.softening, 0.25);
+  EXPECT_EQ(io::read_snapshot(folder / "final.hdf5").state.softening, 0.25);
   // Half of the time with steps that may be four times as long.
   EXPECT_LT(late.progress.step, 0.75 * static_cast<double>(never.progress.step));
 }
 
 TEST(LatePhase, ChangesNothingBeforeItBegins) {
   const TemporaryFolder folder, other;
-  const Snapshot late = run_in(folder, late_impact(), calm_from(1e9)).summary.last;
-  const Snapshot never =
+  const io::Snapshot late = run_in(folder, late_impact(), calm_from(1e9)).summary.last;
+  const io::Snapshot never =
       run_in(other, late_impact({{"numerics", {{"late_sound_speed", 1}}}}), calm_from(0))
           .summary.last;
   EXPECT_THAT(differences(late, never), testing::ElementsAre("scene"));  // but for what it allows
@@ -83,15 +83,15 @@ TEST(LatePhase, ChangesNothingBeforeItBegins) {
 TEST(LatePhase, HasTheSameBitsForAnyNumberOfThreadsAndOfInterruptions) {
   const Scene scene = late_impact();
   const TemporaryFolder whole, pieces, threads;
-  RunOptions options = calm_from(30);
+  run::RunOptions options = calm_from(30);
   run_in(whole, scene, options);
-  const Snapshot expected = read_snapshot(whole / "final.hdf5");
+  const io::Snapshot expected = io::read_snapshot(whole / "final.hdf5");
   options.threads = 3;
   run_in(threads, scene, options);
-  EXPECT_THAT(differences(read_snapshot(threads / "final.hdf5"), expected), IsEmpty());
+  EXPECT_THAT(differences(io::read_snapshot(threads / "final.hdf5"), expected), IsEmpty());
   options.threads = 1, options.max_steps = 11;
-  while (run_in(pieces, scene, options).summary.end == RunEnd::step_limit) continue;
-  EXPECT_THAT(differences(read_snapshot(pieces / "final.hdf5"), expected), IsEmpty());
+  while (run_in(pieces, scene, options).summary.end == run::RunEnd::step_limit) continue;
+  EXPECT_THAT(differences(io::read_snapshot(pieces / "final.hdf5"), expected), IsEmpty());
 }
 
 TEST(LatePhase, IsRefusedWhereNothingLooksOrAnEnergyBudgetIsKept) {
@@ -108,4 +108,4 @@ TEST(LatePhase, IsRefusedWhereNothingLooksOrAnEnergyBudgetIsKept) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::step

@@ -4,7 +4,7 @@
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
 
-namespace eerie {
+namespace eerie::step {
 namespace {
 
 /// Bytes that the program holds on its heap.
@@ -17,7 +17,7 @@ TEST(Solver, NeedsAtMost600BytesPerParticleOfAHundredThousand) {
   const Scene scene =
       parse_scene({{"numerics", {{"particles_per_target", 50000}, {"packing", "lattice"}}}});
   const double before = held();
-  Solver solver(scene, make_unsettled_impact(scene));
+  Solver solver(scene, initial::make_unsettled_impact(scene));
   solver.cycle(1e9);
   const double per_particle = (held() - before) / static_cast<double>(solver.state().size());
   RecordProperty("bytes_per_particle", std::to_string(per_particle));
@@ -27,4 +27,4 @@ TEST(Solver, NeedsAtMost600BytesPerParticleOfAHundredThousand) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::step

@@ -10,20 +10,20 @@
 #include "solver/step/solver.hpp"
 #include "tests/support/scenes.hpp"
 
-namespace eerie {
+namespace eerie::step {
 namespace {
 
 using testing::HasSubstr;
 
 /// A ball at rest that has not been settled: cheap, and good enough to break.
-State ball(const Scene& scene) {
+particles::State ball(const Scene& scene) {
   const auto n = static_cast<std::size_t>(scene.numerics.particles_per_target);
   Random random(1, 0);
-  State s;
-  resize(s, n);
+  particles::State s;
+  particles::resize(s, n);
   s.mass = particle_mass(scene);
   s.h = smoothing_length(scene);
-  s.x = packed_sphere("lattice", n, scene.target.radius_m, random);
+  s.x = initial::packed_sphere("lattice", n, scene.target.radius_m, random);
   for (std::size_t i = 0; i < n; ++i) {
     s.id[i] = static_cast<std::uint32_t>(i);
     s.rho[i] = scene.material.rho0_kg_per_m3;
@@ -35,7 +35,7 @@ State ball(const Scene& scene) {
 template <class Spoil>
 NumericalError failure_of(Spoil&& spoil) {
   const Scene scene = test::small_scene();
-  State state = ball(scene);
+  particles::State state = ball(scene);
   spoil(state);
   try {
     Solver solver(scene, state);
@@ -47,12 +47,12 @@ NumericalError failure_of(Spoil&& spoil) {
 }
 
 TEST(Solver, AHealthyStateRunsOn) {
-  EXPECT_EQ(failure_of([](State&) {}).kind, "nothing stopped it");
+  EXPECT_EQ(failure_of([](particles::State&) {}).kind, "nothing stopped it");
 }
 
 TEST(Solver, NegativeDensityStopsWithStepAndParticle) {
   for (const double rho : {-1.0, 0.0, std::numeric_limits<double>::quiet_NaN()}) {
-    const NumericalError error = failure_of([rho](State& s) { s.rho[123] = rho; });
+    const NumericalError error = failure_of([rho](particles::State& s) { s.rho[123] = rho; });
     EXPECT_EQ(error.kind, "negative-density") << rho;
     EXPECT_EQ(error.step, 0);
     EXPECT_EQ(error.particle_id, 123);
@@ -69,15 +69,16 @@ TEST(Solver, NotANumberStopsTheRunWithinACycle) {
     EXPECT_GE(error.particle_id, 0) << what;
     EXPECT_LT(error.step, 10) << what;
   };
-  expect_stopped(failure_of([](State& s) { s.v[123].y = nan; }), "velocity");
-  expect_stopped(failure_of([](State& s) { s.S[123].xy = nan; }), "stress");
-  expect_stopped(failure_of([](State& s) { s.v[123].x = 1e300; }), "speed beyond all bounds");
+  expect_stopped(failure_of([](particles::State& s) { s.v[123].y = nan; }), "velocity");
+  expect_stopped(failure_of([](particles::State& s) { s.S[123].xy = nan; }), "stress");
+  expect_stopped(failure_of([](particles::State& s) { s.v[123].x = 1e300; }),
+                 "speed beyond all bounds");
 }
 
 TEST(Solver, ACollapseAtTheLargestStepIsAnErrorAndNotAResult) {
   // Squeezed faster than any wave can answer, with the largest step that a scene may ask for.
   const Scene scene = test::small_scene({{"numerics", {{"cfl", 1.5}}}});
-  State state = ball(scene);
+  particles::State state = ball(scene);
   for (std::size_t i = 0; i < state.size(); ++i) state.v[i] = -1000.0 * state.x[i];
   try {
     Solver solver(scene, state);
@@ -95,7 +96,7 @@ TEST(Solver, AParticleThrownOffForNoReasonIsCalledLost) {
   const Scene scene = test::small_scene();
   Solver healthy(scene, ball(scene));
   healthy.cycle(1e9);
-  Rates rates = healthy.rates();
+  particles::Rates rates = healthy.rates();
   rates.g[17] = Vec3f({1e4, 0, 0});
   Solver poisoned(scene, healthy.state(), rates, healthy.restart(), healthy.pressure());
   try {
@@ -110,7 +111,7 @@ TEST(Solver, AParticleThrownOffForNoReasonIsCalledLost) {
 }
 
 TEST(Solver, NeighboursPressedIntoAPlaneAreASingularMatrix) {
-  const NumericalError error = failure_of([](State& s) {
+  const NumericalError error = failure_of([](particles::State& s) {
     // A whole ball flattened to a sheet: full neighbourhoods without any depth.
     for (Vec3& x : s.x) x.z *= 1e-4;
   });
@@ -123,7 +124,7 @@ TEST(Solver, NeighboursPressedIntoAPlaneAreASingularMatrix) {
 TEST(Solver, AFlatClumpOfAFewLooseParticlesIsNoCollapse) {
   // A dense particle and what is left around it, in units of h, far from everything else.
   const Scene scene = test::small_scene();
-  State state = ball(scene);
+  particles::State state = ball(scene);
   const Vec3 places[] = {{}, {0.8, 0.01, 0}, {0.1, 0.9, 0}, {-0.6, -0.5, 0.01}, {0.7, 0.8, 0}};
   const double densities[] = {2600, 400, 450, 500, 600};
   for (std::size_t k = 0; k < 5; ++k) {
@@ -137,7 +138,7 @@ TEST(Solver, AFlatClumpOfAFewLooseParticlesIsNoCollapse) {
 
 TEST(Solver, LooseParticlesGoUncorrectedAndAreCounted) {
   const Scene scene = test::small_scene();
-  State state = ball(scene);
+  particles::State state = ball(scene);
   state.x[5] += Vec3{400, 0, 0};  // alone
   Solver solver(scene, state);
   solver.cycle(1e9);
@@ -160,8 +161,8 @@ TEST(Solver, AParticleBeyondAWallStopsTheRun) {
 TEST(Solver, GasColderThanNothingHasNoSoundSpeed) {
   const Scene scene = test::small_scene(
       {{"material", {{"eos", "ideal-gas"}, {"energy", "integrated"}, {"rheology", "fluid"}}}});
-  State state = ball(scene);
-  resize(state, state.size(), {.energy = true});
+  particles::State state = ball(scene);
+  particles::resize(state, state.size(), {.energy = true});
   std::fill(state.u.begin(), state.u.end(), 1.0);
   state.u[123] = -1;
   try {
@@ -181,4 +182,4 @@ TEST(Solver, WallsCloserThanAParticleReachesAreRefused) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::step

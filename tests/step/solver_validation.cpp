@@ -7,9 +7,9 @@
 #include "solver/step/solver.hpp"
 #include "tests/proof/impact.hpp"
 #include "tests/proof/lab.hpp"
-#include "tests/step/runs.hpp"
+#include "tests/run/runs.hpp"
 
-namespace eerie {
+namespace eerie::step {
 namespace {
 
 using nlohmann::json;
@@ -64,13 +64,13 @@ struct SpinKept {
 };
 SpinKept after_rotation(const Scene& scene, double period_s, double turns) {
   const Vec3 omega{0, 0, 2 * pi / period_s};
-  State s = make_body(scene, Body::target);
+  particles::State s = initial::make_body(scene, particles::Body::target);
   for (std::size_t i = 0; i < s.size(); ++i) s.v[i] = cross(omega, s.x[i]);
   Solver solver(scene, s);
   struct Spin {
     double L = 0, inertia = 0, size2 = 0, z2 = 0;
   };
-  const auto spin = [](const State& state) {
+  const auto spin = [](const particles::State& state) {
     Spin found;
     Vec3 centre, velocity;
     const auto n = static_cast<double>(state.size());
@@ -107,7 +107,7 @@ TEST(RotatingSphere, KeepsItsAngularMomentumSpinAndShape) {
 /// Twists a cohesive sphere in its gravest torsional mode, in which two halves turn against each
 /// other without any change of volume, and returns the period.
 double torsional_period(const Scene& scene, double radius) {
-  State s = make_body(scene, Body::target);
+  particles::State s = initial::make_body(scene, particles::Body::target);
   // Lamb's mode (l = 2, n = 1): v_phi ~ j_2(k r) dP_2/dcos, with k R = 2.501.
   const double k = 2.5011 / radius;
   std::vector<Vec3> mode(s.size());
@@ -156,4 +156,4 @@ TEST(ElasticSphere, TorsionalOscillationHasThePeriodOfTheory) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::step

@@ -7,7 +7,7 @@
 #include "solver/step/solver.hpp"
 #include "tests/proof/lab.hpp"
 
-namespace eerie {
+namespace eerie::step {
 namespace {
 using nlohmann::json;
 
@@ -15,15 +15,15 @@ constexpr long side = 8, height = 5;  // of each block, in spacings of 1 m
 
 /// Two blocks of rubble of the reference density, the upper one `gap` metres (from layer to layer)
 /// above the lower one, in a box: nothing moves but up and down.
-State two_blocks(double gap) {
-  State state = proof::lattice_block({0, 0, 0}, {side, side, 2 * height}, 1, 2700);
+particles::State two_blocks(double gap) {
+  particles::State state = proof::lattice_block({0, 0, 0}, {side, side, 2 * height}, 1, 2700);
   for (Vec3& x : state.x)
     if (x.z > height) x.z += gap - 1;
   return state;
 }
 
 /// Mean distance of the two layers that face each other, m.
-double gap_of(const State& s) {
+double gap_of(const particles::State& s) {
   double lower = 0, upper = 0;
   int lowers = 0, uppers = 0;
   for (std::size_t i = 0; i < s.size(); ++i) {
@@ -63,7 +63,7 @@ TEST(Voids, LetTwoSurfacesComeAsCloseAsTheLayersOfABody) {
 
 TEST(Voids, LeaveABodyWithoutAnyAsItIs) {
   // A block that fills its box has no surface but the upper one.
-  const State before = two_blocks(1);
+  const particles::State before = two_blocks(1);
   Solver solver(boxed(0.95), before);
   while (solver.state().time < 100) solver.cycle(100);
   EXPECT_NEAR(gap_of(solver.state()), 1, 1e-3);
@@ -103,4 +103,4 @@ TEST(Voids, KeepTheHashOfScenesThatHaveNone) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::step

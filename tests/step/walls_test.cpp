@@ -8,7 +8,7 @@
 #include "solver/step/solver.hpp"
 #include "tests/proof/lab.hpp"
 
-namespace eerie {
+namespace eerie::step {
 namespace {
 
 TEST(Walls, ALooseGrainThatMeetsItsImageChangesPlacesWithIt) {
@@ -17,7 +17,7 @@ TEST(Walls, ALooseGrainThatMeetsItsImageChangesPlacesWithIt) {
         proof::lab_scene({{"environment", {{"walls", {proof::wall("y_low", 0, kind)}}}},
                           {"numerics", {{"viscosity_alpha", 0}, {"viscosity_beta", 0}}}});
     // Far below the reference density, so that nothing pushes it back before.
-    State state = proof::lattice_block({0, 0, 0}, {1, 1, 1}, 1, 2700);
+    particles::State state = proof::lattice_block({0, 0, 0}, {1, 1, 1}, 1, 2700);
     state.rho[0] = 500;
     state.v[0] = {0.1, -1, 0};
     Solver solver(scene, state);
@@ -30,9 +30,9 @@ TEST(Walls, ALooseGrainThatMeetsItsImageChangesPlacesWithIt) {
 }
 
 /// Dense layers of grains close to y = 0, at these heights.
-State layers(const std::vector<double>& heights) {
+particles::State layers(const std::vector<double>& heights) {
   const auto rows = static_cast<double>(heights.size());
-  State state = proof::lattice_block({0, 0, 0}, {12, rows, 12}, 1, 2700);
+  particles::State state = proof::lattice_block({0, 0, 0}, {12, rows, 12}, 1, 2700);
   for (Vec3& x : state.x) x = {0.6 * x.x, heights[static_cast<std::size_t>(x.y)], 0.6 * x.z};
   return state;
 }
@@ -53,4 +53,4 @@ TEST(Walls, AThinLayerOnAFloorIsNoCollapseThoughItMeetsItsImage) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::step

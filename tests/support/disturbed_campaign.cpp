@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "campaign/job_directory.hpp"
-#include "campaign/worker_lock.hpp"
+#include "campaign/job_folder/job_directory.hpp"
+#include "campaign/job_folder/worker_lock.hpp"
 #include "solver/base/file.hpp"
 
 namespace eerie::test {
@@ -94,8 +94,8 @@ bool DisturbedCampaign::everything_is_done() const {
 std::vector<pid_t> DisturbedCampaign::workers() const {
   std::vector<pid_t> found;
   for (const fs::path& job : job_directories(database())) {
-    const auto beat = read_json(job / "heartbeat.json");
-    if (beat && beat->is_object() && WorkerLock::held({job}))
+    const auto beat = job_folder::read_json(job / "heartbeat.json");
+    if (beat && beat->is_object() && job_folder::WorkerLock::held({job}))
       found.push_back(static_cast<pid_t>(beat->value("pid", 0)));
   }
   return found;

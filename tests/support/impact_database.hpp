@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "campaign/fidelity.hpp"
-#include "campaign/job.hpp"
-#include "db/jobs.hpp"
-#include "tests/db/sample_jobs.hpp"
+#include "campaign/sweeps/fidelity.hpp"
+#include "campaign/sweeps/job.hpp"
+#include "db/jobs/jobs.hpp"
+#include "tests/db/jobs/sample_jobs.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
 namespace eerie::test {
@@ -18,7 +18,7 @@ namespace eerie::test {
 inline nlohmann::json survey_scene(double q, double phi_d_deg, double v_imp_cm_per_s,
                                    double theta_imp_deg, int seed) {
   nlohmann::json scene;
-  for (const Fidelity& fidelity : fidelities)
+  for (const sweeps::Fidelity& fidelity : sweeps::fidelities)
     if (std::string(fidelity.name) == "survey") scene = nlohmann::json::parse(fidelity.settings);
   scene["impact"] = {
       {"q", q}, {"v_imp_cm_per_s", v_imp_cm_per_s}, {"theta_imp_deg", theta_imp_deg}};
@@ -34,7 +34,7 @@ inline void add_impacts(db::Connection& connection,
   std::vector<db::NewJob> jobs;
   std::map<std::string, double> b_over_a;
   for (const auto& [scene, shape] : impacts) {
-    jobs.push_back(new_job(parse_scene(scene)));
+    jobs.push_back(sweeps::new_job(parse_scene(scene)));
     b_over_a[jobs.back().hash] = shape;
   }
   add_sweep(connection, jobs.front().hash.substr(0, 16), "{}", jobs);

@@ -21,7 +21,7 @@ inline std::vector<std::uint32_t> ids(std::size_t n) {
 /// The same points in memory order, as tree and lists want them.
 inline std::vector<Vec3> in_kd_order(const std::vector<Vec3>& x) {
   std::vector<Vec3> sorted;
-  for (const std::uint32_t i : kd_order(x, ids(x.size()))) sorted.push_back(x[i]);
+  for (const std::uint32_t i : tree::kd_order(x, ids(x.size()))) sorted.push_back(x[i]);
   return sorted;
 }
 
@@ -29,11 +29,11 @@ inline std::vector<Vec3> in_kd_order(const std::vector<Vec3>& x) {
 inline std::vector<Vec3> glass_ball(std::size_t n, std::uint64_t seed = 1) {
   Random random(seed, n);
   return in_kd_order(
-      packed_sphere("glass", n, std::cbrt(3 * static_cast<double>(n) / (4 * pi)), random));
+      initial::packed_sphere("glass", n, std::cbrt(3 * static_cast<double>(n) / (4 * pi)), random));
 }
 
-inline KdTree fitted_tree(const std::vector<Vec3>& x) {
-  KdTree tree(x.size());
+inline tree::KdTree fitted_tree(const std::vector<Vec3>& x) {
+  tree::KdTree tree(x.size());
   tree.fit(x);
   return tree;
 }

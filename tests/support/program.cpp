@@ -11,9 +11,10 @@
 #include <fstream>
 #include <thread>
 
-#include "campaign/job_directory.hpp"
-#include "campaign/worker_lock.hpp"
+#include "campaign/job_folder/job_directory.hpp"
+#include "campaign/job_folder/worker_lock.hpp"
 #include "solver/base/file.hpp"
+#include "tests/support/paths.hpp"
 
 namespace eerie::test {
 namespace fs = std::filesystem;
@@ -38,7 +39,7 @@ Program::Program(const fs::path& folder, const std::vector<std::string>& argumen
                                    O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err_.c_str(),
                                    O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  EXPECT_EQ(::posix_spawn(&pid_, EERIE_PROGRAM, &actions, nullptr, argv.data(), environ), 0);
+  EXPECT_EQ(::posix_spawn(&pid_, program().c_str(), &actions, nullptr, argv.data(), environ), 0);
   posix_spawn_file_actions_destroy(&actions);
 }
 
@@ -85,9 +86,10 @@ bool eventually(const std::function<bool()>& condition, std::chrono::seconds dea
 }
 
 std::optional<pid_t> worker_at_work(const fs::path& path) {
-  const JobDirectory directory{path};
-  const auto progress = read_progress(directory);
-  if (!progress || progress->step == 0 || !WorkerLock::held(directory)) return std::nullopt;
+  const job_folder::JobDirectory directory{path};
+  const auto progress = job_folder::read_progress(directory);
+  if (!progress || progress->step == 0 || !job_folder::WorkerLock::held(directory))
+    return std::nullopt;
   const auto pid = static_cast<pid_t>(progress->pid);
   // The file may be that of an earlier worker of the job.
   return ::kill(pid, 0) == 0 ? std::optional(pid) : std::nullopt;

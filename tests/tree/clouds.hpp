@@ -15,7 +15,7 @@ inline constexpr const char* cloud_names[] = {"even", "clustered", "sheared", "f
 inline std::vector<Vec3> cloud(const std::string& name, std::size_t n) {
   Random random(11, n);
   const double radius = std::cbrt(3 * static_cast<double>(n) / (4 * pi));
-  std::vector<Vec3> x = packed_sphere("lattice", n, radius, random);
+  std::vector<Vec3> x = initial::packed_sphere("lattice", n, radius, random);
   for (Vec3& p : x) p += 0.2 * random.direction();
   if (name == "clustered") {
     const Vec3 knots[] = {{0, 0, 0}, {3, 1, 0}, {5, -2, 2}};

@@ -9,7 +9,7 @@
 #include "tests/support/particles.hpp"
 #include "tests/tree/clouds.hpp"
 
-namespace eerie {
+namespace eerie::tree {
 namespace {
 
 using test::cloud;
@@ -218,4 +218,4 @@ TEST(Gravity, IsTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::tree

@@ -7,7 +7,7 @@
 #include "tests/support/particles.hpp"
 #include "tests/tree/clouds.hpp"
 
-namespace eerie {
+namespace eerie::tree {
 namespace {
 
 using test::cloud;
@@ -102,4 +102,4 @@ TEST(KdTree, EveryBoxIsTheTightestAroundItsParticles) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::tree

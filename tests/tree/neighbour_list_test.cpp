@@ -10,7 +10,7 @@
 #include "tests/support/particles.hpp"
 #include "tests/tree/clouds.hpp"
 
-namespace eerie {
+namespace eerie::tree {
 namespace {
 
 using test::cloud;
@@ -224,4 +224,4 @@ TEST(NeighbourList, ACollapseIsAnErrorAndNotAnOverflow) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::tree

@@ -2,7 +2,7 @@
 
 #include "solver/sph/kernels/polynomial.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 
 /// M4 cubic spline (Monaghan & Lattanzio 1985).
 struct CubicSpline {
@@ -20,4 +20,4 @@ struct CubicSpline {
   }
 };
 
-}  // namespace eerie
+}  // namespace eerie::sph

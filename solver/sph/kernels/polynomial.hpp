@@ -5,7 +5,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/simd.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 
 // Kernels with support 2h as functions of q = r/h: W = normalisation / h^3 * w(q), and the
 // gradient dW/dx = normalisation / h^5 * dw_over_q(q) * (x_i - x_j). Branch-free: truncated
@@ -20,4 +20,4 @@ P splat_like(double value) {
     return P{} + static_cast<std::remove_cvref_t<decltype(P{}[0])>>(value);
 }
 
-}  // namespace eerie
+}  // namespace eerie::sph

@@ -2,7 +2,7 @@
 
 #include "solver/sph/kernels/polynomial.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 
 /// Wendland C2 (Dehnen & Aly 2012, table 1; support 2h).
 struct WendlandC2 {
@@ -20,4 +20,4 @@ struct WendlandC2 {
   }
 };
 
-}  // namespace eerie
+}  // namespace eerie::sph

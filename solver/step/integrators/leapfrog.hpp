@@ -1,6 +1,6 @@
 #pragma once
 
-namespace eerie {
+namespace eerie::step {
 
 /// Kick-drift-kick with predicted rates at the end of the step: second order, one evaluation.
 struct Leapfrog {
@@ -14,4 +14,4 @@ struct Leapfrog {
   }
 };
 
-}  // namespace eerie
+}  // namespace eerie::step

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace eerie {
+namespace eerie::step {
 
 /// The leapfrog with rates predicted, evaluated, corrected and evaluated again: twice the price for
 /// rates that fit the state they act on. It damps where the leapfrog slowly amplifies.
@@ -16,4 +16,4 @@ struct LeapfrogPece {
   }
 };
 
-}  // namespace eerie
+}  // namespace eerie::step

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/base/constants.hpp"
+#include "solver/base/sphere.hpp"
 
 namespace eerie::disk {
 namespace {
@@ -39,7 +40,7 @@ TEST(TurbulentSpeed, IsUndoneByAlphaAtSpeed) {
 
 TEST(EscapeVelocity, CarriesABodyJustToInfinity) {
   constexpr double radius = 2000, rho = 2700;
-  const double v = escape_velocity(radius, rho);
+  const double v = escape_speed({radius, rho});
   EXPECT_NEAR(v * v / 2, newton_G * sphere_volume(radius) * rho / radius, 1e-12);
 }
 
@@ -51,7 +52,7 @@ TEST(StirredSpeed, BalancesStirringAndDrag) {
     // Eqs. (8) and (9): the rates of growth and of damping.
     const double sigma = 0.03 * here.nebula.solid_surface_density;
     const double growth = here.nebula.omega_k * sigma / (1500 * radius) *
-                          std::pow(escape_velocity(radius, 1500) / u, 4);
+                          std::pow(escape_speed({radius, 1500}) / u, 4);
     EXPECT_NEAR(growth * here.drag.stopping_time, 1, 1e-12) << radius;
   }
 }

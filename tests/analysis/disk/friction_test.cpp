@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/base/constants.hpp"
+#include "solver/base/sphere.hpp"
 
 namespace eerie::disk {
 namespace {
@@ -17,7 +18,7 @@ TEST(CentralPressure, IsTheWeightOfAColumnToTheSurface) {
     const double r = (i + 0.5) * radius / shells;
     weight += rho * newton_G * rho * sphere_volume(r) / (r * r) * radius / shells;
   }
-  EXPECT_NEAR(central_pressure(radius, rho), weight, 1e-9 * weight);
+  EXPECT_NEAR(central_pressure({radius, rho}), weight, 1e-9 * weight);
 }
 
 TEST(Displacement, IsWhereFrictionHasTakenWhatTheFragmentsBrought) {
@@ -53,8 +54,8 @@ TEST(Displacement, ReachesTheRadiusAt69DegreesByThePapersEquations) {
 
 // Sec. 4 has about 10 Pa in a body of 50 m; Eq. (3) gives 2.5 Pa there and 10 Pa at 100 m.
 TEST(CentralPressure, IsAFourthOfThePapersTenPascalAt50Metres) {
-  EXPECT_NEAR(central_pressure(50, 2700), 2.55, 0.01);
-  EXPECT_NEAR(central_pressure(100, 2700), 10, 0.5);
+  EXPECT_NEAR(central_pressure({50, 2700}), 2.55, 0.01);
+  EXPECT_NEAR(central_pressure({100, 2700}), 10, 0.5);
 }
 
 }  // namespace

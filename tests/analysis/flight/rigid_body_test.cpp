@@ -6,35 +6,35 @@
 #include <numeric>
 
 #include "solver/base/constants.hpp"
-#include "tests/analysis/bodies.hpp"
+#include "tests/analysis/remnants/bodies.hpp"
 
-namespace eerie {
+namespace eerie::flight {
 namespace {
 
 using test::spacing;
 using test::spinning;
 
 /// One body of the given half axes, turning with `omega` and moving with `v`.
-State spinning_body(const Vec3& half, const Vec3& omega, const Vec3& v = {}) {
-  State state = test::empty_state();
+particles::State spinning_body(const Vec3& half, const Vec3& omega, const Vec3& v = {}) {
+  particles::State state = test::empty_state();
   const std::vector<Vec3> x =
       test::moved(test::ellipsoid(half, spacing), test::rotation({1, 2, 3}, 0.7), {30, -20, 10});
-  test::add(state, x, spinning(x, omega, v), Body::target);
+  test::add(state, x, spinning(x, omega, v), particles::Body::target);
   return state;
 }
 
-Clump everything(const State& state) {
-  Clump all(state.size());
+remnants::Clump everything(const particles::State& state) {
+  remnants::Clump all(state.size());
   std::iota(all.begin(), all.end(), 0U);
   return all;
 }
 
-RigidBody body_of(const State& state) { return rigid_body(state, everything(state)); }
+RigidBody body_of(const particles::State& state) { return rigid_body(state, everything(state)); }
 
 struct Sums {
   Vec3 momentum, L;
 };
-Sums sums(const State& state) {
+Sums sums(const particles::State& state) {
   Sums s;
   for (std::size_t i = 0; i < state.size(); ++i)
     s.momentum += state.mass * state.v[i], s.L += state.mass * cross(state.x[i], state.v[i]);
@@ -56,8 +56,8 @@ TEST(RigidBody, HasTheSpinOfItsParticles) {
 }
 
 TEST(RigidBody, OfAStateThatMovesRigidlyIsPutBackAsItWas) {
-  const State before = spinning_body({60, 30, 20}, {1e-4, -3e-4, 2e-4}, {0.1, 0, -0.2});
-  State after = before;
+  const particles::State before = spinning_body({60, 30, 20}, {1e-4, -3e-4, 2e-4}, {0.1, 0, -0.2});
+  particles::State after = before;
   put_back(body_of(before), after);
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_LT(norm(after.x[i] - before.x[i]), 1e-12);
@@ -94,12 +94,12 @@ TEST(RigidBody, ThatTumblesKeepsItsEnergyToSecondOrder) {
 
 /// A large body and a small one beside it, both stressed.
 struct Pair {
-  State state = spinning_body({30, 20, 20}, {1e-4, 2e-4, 0}, {0.05, 0, 0});
-  Clump large = everything(state), small;
+  particles::State state = spinning_body({30, 20, 20}, {1e-4, 2e-4, 0}, {0.05, 0, 0});
+  remnants::Clump large = everything(state), small;
   Pair() {
     const std::vector<Vec3> x =
         test::moved(test::ellipsoid({20, 20, 10}, spacing), Mat3::identity(), {80, -20, 10});
-    test::add(state, x, spinning(x, {0, 0, -4e-4}, {-0.1, 0.02, 0}), Body::impactor);
+    test::add(state, x, spinning(x, {0, 0, -4e-4}, {-0.1, 0.02, 0}), particles::Body::impactor);
     for (auto i = static_cast<std::uint32_t>(large.size()); i < state.size(); ++i)
       small.push_back(i);
     for (std::size_t i = 0; i < state.size(); ++i)
@@ -109,7 +109,7 @@ struct Pair {
 
 TEST(RigidBody, StuckToAnotherKeepsMassMomentumAndAngularMomentum) {
   Pair pair;
-  State& state = pair.state;
+  particles::State& state = pair.state;
   const Sums before = sums(state);
   const RigidBody both =
       stuck_together(rigid_body(state, pair.large), rigid_body(state, pair.small), state);
@@ -126,7 +126,7 @@ TEST(RigidBody, StuckToAnotherAfterBothHaveTurnedLeavesEveryParticleWhereItWas) 
     RigidBody large = rigid_body(pair.state, pair.large),
               small = rigid_body(pair.state, pair.small);
     large.drift(3000), small.drift(2000);
-    State apart = pair.state, together = pair.state;
+    particles::State apart = pair.state, together = pair.state;
     put_back(large, apart), put_back(small, apart);
     const RigidBody both = large_first ? stuck_together(large, small, together)
                                        : stuck_together(small, large, together);
@@ -166,8 +166,9 @@ TEST(RigidBody, TouchesAnotherWhereverOneOfItsParticlesIsWithinContact) {
 }
 
 TEST(RigidBody, OfOneOrTwoParticlesHasItsAngularMomentum) {
-  State state = test::empty_state();
-  test::add(state, {{0, 0, 0}, {6, 0, 0}}, {{0, 0, 0.01}, {0, 0.02, -0.01}}, Body::target);
+  particles::State state = test::empty_state();
+  test::add(state, {{0, 0, 0}, {6, 0, 0}}, {{0, 0, 0.01}, {0, 0.02, -0.01}},
+            particles::Body::target);
   const Sums before = sums(state);
   RigidBody pair = body_of(state);
   pair.drift(100);
@@ -178,7 +179,7 @@ TEST(RigidBody, OfOneOrTwoParticlesHasItsAngularMomentum) {
 }
 
 TEST(RigidBody, TurnsTheStressOfItsParticlesWithIt) {
-  State state = spinning_body({30, 20, 20}, {0, 0, 1e-3});
+  particles::State state = spinning_body({30, 20, 20}, {0, 0, 1e-3});
   for (SymTensor& S : state.S) S = {2, -1, -1, 0, 0, 0};  // pulled along x
   RigidBody body = body_of(state);
   const int steps = 2000;
@@ -193,4 +194,4 @@ TEST(RigidBody, TurnsTheStressOfItsParticlesWithIt) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::flight

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace eerie {
+namespace eerie::flight {
 namespace {
 
 constexpr double contact = 1.5;
@@ -57,4 +57,4 @@ TEST(Spheres, FollowBodiesThatMoveAndGo) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::flight

@@ -9,10 +9,10 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
-#include "tests/analysis/bodies.hpp"
+#include "tests/analysis/remnants/bodies.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
-namespace eerie {
+namespace eerie::light_curve {
 namespace {
 using testing::HasSubstr;
 
@@ -36,8 +36,8 @@ SpinningBody lattice_body(const Vec3& half) {
                        radius);
 }
 
-Shape shape_of(double a, double b, double c) {
-  Shape shape;
+shapes::Shape shape_of(double a, double b, double c) {
+  shapes::Shape shape;
   shape.a = a, shape.b = b, shape.c = c;
   return shape;
 }
@@ -79,7 +79,7 @@ TEST(LightCurve, AmplitudeOverAspectIsThatOfTheTriaxialEllipsoid) {
 }
 
 TEST(LightCurve, ShadowsOfAnEllipsoidAlongItsAxesAreEllipses) {
-  const Shape shape = shape_of(20, 12, 8);
+  const shapes::Shape shape = shape_of(20, 12, 8);
   EXPECT_NEAR(ellipsoid_shadow(shape, {1, 0, 0}), pi * 6 * 4, 1e-9);
   EXPECT_NEAR(ellipsoid_shadow(shape, {0, 1, 0}), pi * 10 * 4, 1e-9);
   EXPECT_NEAR(ellipsoid_shadow(shape, {0, 0, 1}), pi * 10 * 6, 1e-9);
@@ -141,4 +141,4 @@ TEST(LightCurveFigure, HasBothPanelsInEveryFormat) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::light_curve

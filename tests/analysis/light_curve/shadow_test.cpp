@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "solver/base/constants.hpp"
-#include "tests/analysis/bodies.hpp"
+#include "tests/analysis/remnants/bodies.hpp"
 
-namespace eerie {
+namespace eerie::light_curve {
 namespace {
 
 const Vec3 oblique{0.3, -0.8, 0.5};
@@ -54,4 +54,4 @@ TEST(Shadow, FinerPixelsConverge) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::light_curve

@@ -4,18 +4,18 @@
 
 #include <cstdlib>
 
-#include "analysis/tool.hpp"
+#include "analysis/drawing/tool.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
-namespace eerie {
+namespace eerie::pictures {
 namespace {
 using testing::HasSubstr;
 
 bool has_ffmpeg() {
   try {
-    require_tool({"ffmpeg", "", ""});
+    drawing::require_tool({"ffmpeg", "", ""});
     return true;
   } catch (const EnvironmentError&) {
     return false;
@@ -64,8 +64,8 @@ TEST(Movie, HasEveryFrame) {
   EXPECT_THAT(read_file(folder / "film.gif"), testing::StartsWith("GIF89a"));
   // ffmpeg itself counts the frames.
   for (const char* name : {"film.mp4", "film.gif"}) {
-    const ToolEnd end =
-        run_tool({"ffmpeg", "", ""}, {"-nostdin", "-i", folder / name, "-f", "null", "-"});
+    const drawing::ToolEnd end =
+        drawing::run_tool({"ffmpeg", "", ""}, {"-nostdin", "-i", folder / name, "-f", "null", "-"});
     EXPECT_TRUE(end.well);
     EXPECT_THAT(end.words, HasSubstr("frame=    6")) << name;
   }
@@ -73,4 +73,4 @@ TEST(Movie, HasEveryFrame) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::pictures

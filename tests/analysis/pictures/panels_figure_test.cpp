@@ -8,7 +8,7 @@
 #include "solver/base/file.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
-namespace eerie {
+namespace eerie::pictures {
 namespace {
 using testing::HasSubstr;
 using testing::Not;
@@ -67,4 +67,4 @@ TEST(PanelsFigure, SizeOfTheFileDoesNotGrowWithTheNumberOfParticles) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::pictures

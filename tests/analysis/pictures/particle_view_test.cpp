@@ -6,31 +6,31 @@
 
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
-#include "tests/analysis/bodies.hpp"
+#include "tests/analysis/remnants/bodies.hpp"
 
-namespace eerie {
+namespace eerie::pictures {
 namespace {
 
 constexpr Vec3 ball{50, 50, 50};
 
 /// Bodies of 50 m with their centres `apart` m from each other, each drifting and the first one
 /// turning with 1e-4/s about z.
-Snapshot two_bodies(double apart) {
-  State state = test::empty_state();
+io::Snapshot two_bodies(double apart) {
+  particles::State state = test::empty_state();
   const auto x =
       test::moved(test::ellipsoid(ball, test::spacing), Mat3::identity(), {-apart / 2, 0, 0});
-  test::add(state, x, test::spinning(x, {0, 0, 1e-4}, {0.1, 0, 0}), Body::target);
-  test::add_body(state, ball, {apart / 2, 0, 0}, {-0.1, 0, 0}, Body::impactor);
+  test::add(state, x, test::spinning(x, {0, 0, 1e-4}, {0.1, 0, 0}), particles::Body::target);
+  test::add_body(state, ball, {apart / 2, 0, 0}, {-0.1, 0, 0}, particles::Body::impactor);
   return test::snapshot_of(state);
 }
 
 TEST(ParticleView, ParticlesFillTheirShareOfTheMaterial) {
-  EXPECT_NEAR(sphere_volume(particle_radius(two_bodies(300))), cubed(test::spacing), 1e-9);
+  EXPECT_NEAR(sphere_volume(shapes::particle_radius(two_bodies(300))), cubed(test::spacing), 1e-9);
 }
 
 TEST(ParticleView, DepthIsCountedFromTheSurfaceOfTheOwnBody) {
-  const Snapshot first = two_bodies(300);
-  const std::vector<double> depth = initial_depths(first);
+  const io::Snapshot first = two_bodies(300);
+  const std::vector<double> depth = remnants::initial_depths(first);
   for (std::size_t i = 0; i < first.state.size(); ++i) {
     const double side = first.state.body[i] == 0 ? -150 : 150;
     EXPECT_NEAR(depth[first.state.id[i]], 50 - norm(first.state.x[i] - Vec3{side, 0, 0}), 1e-9);
@@ -38,9 +38,10 @@ TEST(ParticleView, DepthIsCountedFromTheSurfaceOfTheOwnBody) {
 }
 
 TEST(ParticleView, DepthFollowsAParticleThroughMemory) {
-  Snapshot first = two_bodies(300);
-  const ParticleView before = particle_view(first, ParticleColour::depth, initial_depths(first));
-  const std::vector<double> depths = initial_depths(first);
+  io::Snapshot first = two_bodies(300);
+  const ParticleView before =
+      particle_view(first, ParticleColour::depth, remnants::initial_depths(first));
+  const std::vector<double> depths = remnants::initial_depths(first);
   first.state = test::shuffled(first.state, 3);
   const ParticleView after = particle_view(first, ParticleColour::depth, depths);
   EXPECT_EQ(before.colour, after.colour);
@@ -48,7 +49,7 @@ TEST(ParticleView, DepthFollowsAParticleThroughMemory) {
 }
 
 TEST(ParticleView, SpeedIsThatWithinTheOwnClump) {
-  const Snapshot snapshot = two_bodies(300);
+  const io::Snapshot snapshot = two_bodies(300);
   const ParticleView view = particle_view(snapshot, ParticleColour::speed);
   for (std::size_t i = 0; i < view.x.size(); ++i) {
     const Vec3 arm{view.x[i].x + 150, view.x[i].y, 0};
@@ -57,7 +58,7 @@ TEST(ParticleView, SpeedIsThatWithinTheOwnClump) {
 }
 
 TEST(ParticleView, NearestParticlesComeLastAndACutLeavesThemOut) {
-  const Snapshot snapshot = two_bodies(300);
+  const io::Snapshot snapshot = two_bodies(300);
   const ParticleView whole = particle_view(snapshot, ParticleColour::body);
   EXPECT_EQ(whole.x.size(), snapshot.state.size());
   EXPECT_TRUE(std::ranges::is_sorted(whole.x, {}, [](const Vec3& x) { return x.z; }));
@@ -88,9 +89,9 @@ TEST(Frame, FollowsTheLargestRemnantWhereBodiesFlyApart) {
 }
 
 TEST(Frame, StaysAtTheCentreOfMassWhenOnlySmallRemnantsFlyAway) {
-  State state = test::empty_state();
-  test::add_body(state, ball, {}, {}, Body::target);
-  test::add_body(state, {20, 20, 20}, {2000, 0, 0}, {}, Body::impactor);
+  particles::State state = test::empty_state();
+  test::add_body(state, ball, {}, {}, particles::Body::target);
+  test::add_body(state, {20, 20, 20}, {2000, 0, 0}, {}, particles::Body::impactor);
   const Layout layout = layout_of(test::snapshot_of(state));
   ASSERT_EQ(layout.bodies.size(), 2u);
   const Frame frame = frame_of({&layout, 1});
@@ -106,17 +107,18 @@ TEST(Frame, IsAsWideAsAskedFor) {
 }
 
 TEST(Frame, DebrisAloneIsShownByItsLargestClump) {
-  State state = test::empty_state();
-  test::add_body(state, {10, 10, 10}, {}, {}, Body::target);
+  particles::State state = test::empty_state();
+  test::add_body(state, {10, 10, 10}, {}, {}, particles::Body::target);
   const Layout layout = layout_of(test::snapshot_of(state));
   ASSERT_EQ(layout.bodies.size(), 1u);
   EXPECT_GT(frame_of({&layout, 1}).width, 15);
 }
 
 TEST(ColourScale, EndsAtARoundNumberThatHoldsAllDepths) {
-  const Snapshot first = two_bodies(300);
-  const ColourScale scale = colour_scale(
-      ParticleColour::depth, particle_view(first, ParticleColour::depth, initial_depths(first)));
+  const io::Snapshot first = two_bodies(300);
+  const ColourScale scale =
+      colour_scale(ParticleColour::depth,
+                   particle_view(first, ParticleColour::depth, remnants::initial_depths(first)));
   EXPECT_NEAR(scale.top, 50, 1e-9);
   EXPECT_LE(scale.highest, scale.top);
 }
@@ -130,16 +132,16 @@ TEST(ColourScale, SpeedsOfOneParticleInAHundredMayLieAbove) {
 }
 
 TEST(PanelImage, ShowsTargetLeftAndImpactorRightInTheirColours) {
-  const Snapshot snapshot = two_bodies(300);
+  const io::Snapshot snapshot = two_bodies(300);
   const Layout layout = layout_of(snapshot);
   const Frame frame = frame_of({&layout, 1}, 500.0);
-  const Image image = panel_image(particle_view(snapshot, ParticleColour::body), frame,
-                                  frame_centre(frame, layout), {}, 100);
+  const Bitmap image = panel_image(particle_view(snapshot, ParticleColour::body), frame,
+                                   frame_centre(frame, layout), {}, 100);
   EXPECT_EQ(image.width, 100);
   EXPECT_EQ(image.at(20, 50), target_colour);    // -150 m
   EXPECT_EQ(image.at(79, 50), impactor_colour);  // 150 m
-  EXPECT_EQ(image.at(50, 50), (Colour{255, 255, 255}));
+  EXPECT_EQ(image.at(50, 50), (drawing::Colour{255, 255, 255}));
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::pictures

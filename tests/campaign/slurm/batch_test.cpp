@@ -6,7 +6,7 @@
 #include "solver/base/file.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -73,4 +73,4 @@ TEST(BatchIds, Differ) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -4,7 +4,7 @@
 
 #include "tests/campaign/slurm/fake_slurm.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 namespace {
 using testing::Contains;
 using testing::Not;
@@ -90,4 +90,4 @@ TEST(ACluster, ListsOnlyJobsOfTheseNames) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-namespace eerie {
+namespace eerie::slurm {
 namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
@@ -71,4 +71,4 @@ TEST(ChildCommands, ComplainByTheEndOfWhatWasSaid) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -2,23 +2,23 @@
 
 #include <gmock/gmock.h>
 
-namespace eerie {
+namespace eerie::slurm {
 namespace {
 using testing::ElementsAre;
 using testing::SizeIs;
 
-std::vector<Task> of_costs(const std::vector<double>& costs) {
-  std::vector<Task> tasks;
+std::vector<manager::Task> of_costs(const std::vector<double>& costs) {
+  std::vector<manager::Task> tasks;
   for (const double cost : costs)
     tasks.push_back({static_cast<std::int64_t>(tasks.size()), {}, cost});
   return tasks;
 }
 
-std::vector<std::vector<std::int64_t>> jobs(const std::vector<std::vector<Task>>& packs) {
+std::vector<std::vector<std::int64_t>> jobs(const std::vector<std::vector<manager::Task>>& packs) {
   std::vector<std::vector<std::int64_t>> ids;
   for (const auto& pack : packs) {
     ids.emplace_back();
-    for (const Task& task : pack) ids.back().push_back(task.job);
+    for (const manager::Task& task : pack) ids.back().push_back(task.job);
   }
   return ids;
 }
@@ -37,7 +37,7 @@ TEST(Packing, KeepsEveryJobOnceAndEveryPackBelowItsSize) {
   double total = 0;
   for (const auto& pack : packs) {
     double sum = 0;
-    for (const Task& task : pack) {
+    for (const manager::Task& task : pack) {
       sum += task.expected_core_seconds;
       EXPECT_TRUE(seen.insert(task.job).second);
     }
@@ -82,4 +82,4 @@ TEST(PackSize, FollowsTheProfileAndStaysWithinItsTimeLimit) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::slurm

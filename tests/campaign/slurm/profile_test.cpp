@@ -2,16 +2,16 @@
 
 #include <gmock/gmock.h>
 
-#include "campaign/json_file.hpp"
+#include "campaign/text/json_file.hpp"
 #include "solver/base/error.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
 SlurmProfile parsed(const std::string& text) {
-  return parse_slurm_profile(parse_json(text, "p.json"), "p.json");
+  return parse_slurm_profile(text::parse_json(text, "p.json"), "p.json");
 }
 
 TEST(SlurmProfile, OfNothingLeavesTheChoiceToTheCluster) {
@@ -102,4 +102,4 @@ INSTANTIATE_TEST_SUITE_P(SlurmProfile, EveryBadProfile, testing::ValuesIn(bad_pr
                          [](const auto& tested) { return tested.param.name; });
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::slurm

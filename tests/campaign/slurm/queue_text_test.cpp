@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace eerie {
+namespace eerie::slurm {
 namespace {
 using testing::IsEmpty;
 using testing::Pair;
@@ -70,4 +70,4 @@ TEST(ClusterConfig, GivesTheLargestArray) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::slurm

@@ -4,12 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/worker.hpp"
+#include "campaign/job_folder/worker_exit.hpp"
 #include "solver/base/file.hpp"
 #include "tests/campaign/slurm/fake_slurm.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
-namespace eerie {
+namespace eerie::slurm {
 namespace {
 using test::FakeSlurm;
 using testing::Contains;
@@ -30,19 +30,20 @@ class ASlurmScheduler : public testing::Test {
 
   SlurmScheduler scheduler() { return {profile, folder.path(), slurm, "/opt/eerie"}; }
 
-  std::vector<Task> tasks(int count) {
-    std::vector<Task> made;
+  std::vector<manager::Task> tasks(int count) {
+    std::vector<manager::Task> made;
     for (int k = 0; k < count; ++k) {
-      const JobDirectory directory{folder.path() / fmt::format("{:016x}", k)};
+      const job_folder::JobDirectory directory{folder.path() / fmt::format("{:016x}", k)};
       fs::create_directories(directory.path);
       made.push_back({100 + k, directory, 60});
     }
     return made;
   }
-  static void finish(const Task& task) { install_text(task.directory.result(), "{}"); }
-  static void note(const Task& task, int exit_code) {
-    install_text(task.directory.ended(),
-                 to_json(AttemptEnded{exit_code, 12.5, 1 << 20, "n1", 4711}).dump());
+  static void finish(const manager::Task& task) { install_text(task.directory.result(), "{}"); }
+  static void note(const manager::Task& task, int exit_code) {
+    install_text(
+        task.directory.ended(),
+        job_folder::to_json(job_folder::AttemptEnded{exit_code, 12.5, 1 << 20, "n1", 4711}).dump());
   }
   std::size_t batch_folders() const {
     std::error_code none;
@@ -65,7 +66,7 @@ TEST_F(ASlurmScheduler, SubmitsManyTasksAsOneArrayThatIsOnDiskBefore) {
   EXPECT_THAT(slurm->calls_of("sbatch")[0], Contains("--array=0-2"));
   EXPECT_TRUE(slurm->manifest_came_first);
   EXPECT_EQ(read_file(batch_folder() / "slurm_id"), "1\n");
-  for (const Task& task : tasks(3)) EXPECT_TRUE(s.holds(task));
+  for (const manager::Task& task : tasks(3)) EXPECT_TRUE(s.holds(task));
   EXPECT_FALSE(s.holds(tasks(4)[3]));
 }
 
@@ -106,7 +107,8 @@ TEST_F(ASlurmScheduler, ReportsAFailure) {
   const auto one = tasks(1);
   s.start(one);
   slurm->set_state(1, 0, "RUNNING");
-  install_text(one[0].directory.failure(), to_json(Failure{"not-finite", 1, 2, "NaN"}).dump());
+  install_text(one[0].directory.failure(),
+               job_folder::to_json(job_folder::Failure{"not-finite", 1, 2, "NaN"}).dump());
   note(one[0], 1);
   const auto ends = s.wait(0ms);
   ASSERT_THAT(ends, SizeIs(1));
@@ -183,7 +185,7 @@ TEST_F(ASlurmScheduler, WaitsForAPreemptedJobThatSlurmStartsAgain) {
   const auto one = tasks(1);
   s.start(one);
   slurm->set_state(1, 0, "RUNNING");
-  note(one[0], worker_stopped);
+  note(one[0], job_folder::worker_stopped);
   EXPECT_THAT(s.wait(0ms), IsEmpty());
   slurm->set_state(1, 0, "PENDING");
   for (int k = 0; k < 5; ++k) EXPECT_THAT(s.wait(0ms), IsEmpty());
@@ -198,12 +200,12 @@ TEST_F(ASlurmScheduler, ReportsAJobThatItsTimeLimitStoppedAsStopped) {
   SlurmScheduler s = scheduler();
   const auto one = tasks(1);
   s.start(one);
-  note(one[0], worker_stopped);
+  note(one[0], job_folder::worker_stopped);
   slurm->forget_all();
   s.wait(0ms);
   const auto ends = s.wait(0ms);
   ASSERT_THAT(ends, SizeIs(1));
-  EXPECT_EQ(ends[0].exit_code, worker_stopped);
+  EXPECT_EQ(ends[0].exit_code, job_folder::worker_stopped);
   EXPECT_FALSE(ends[0].lost);
 }
 
@@ -224,7 +226,7 @@ TEST_F(ASlurmScheduler, IgnoresNewsThatAreOlderThanTheSubmission) {
   const auto one = tasks(1);
   note(one[0], 134);
   install_text(one[0].directory.stop(), "");
-  install_text(one[0].directory.failure(), to_json(Failure{}).dump());
+  install_text(one[0].directory.failure(), job_folder::to_json(job_folder::Failure{}).dump());
   for (const fs::path& file :
        {one[0].directory.ended(), one[0].directory.stop(), one[0].directory.failure()})
     fs::last_write_time(file, fs::last_write_time(file) - 1h);
@@ -241,7 +243,7 @@ TEST_F(ASlurmScheduler, ThatSbatchRefusesSaysWhyAndLeavesNothing) {
   try {
     s.start(two);
     FAIL() << "started";
-  } catch (const SchedulerUnavailable& error) {
+  } catch (const manager::SchedulerUnavailable& error) {
     EXPECT_THAT(error.what(), HasSubstr("Invalid account"));
   }
   EXPECT_EQ(batch_folders(), 0u);
@@ -270,7 +272,7 @@ TEST_F(ASlurmScheduler, LooksForASubmissionOfUnknownFateBeforeAnythingElse) {
   const auto one = tasks(1);
   slurm->next_sbatch = FakeSlurm::Sbatch::times_out_after_taking;
   slurm->squeue_answers = false;
-  EXPECT_THROW(s.start(one), SchedulerUnavailable);
+  EXPECT_THROW(s.start(one), manager::SchedulerUnavailable);
   for (int k = 0; k < 10; ++k) EXPECT_TRUE(s.holds(one[0]));
   EXPECT_EQ(s.free_slots(), 0u);
   slurm->squeue_answers = true;
@@ -287,7 +289,7 @@ TEST_F(ASlurmScheduler, GivesUpASubmissionThatNeverArrived) {
   SlurmScheduler s = scheduler();
   const auto one = tasks(1);
   slurm->next_sbatch = FakeSlurm::Sbatch::times_out;
-  EXPECT_THROW(s.start(one), SchedulerUnavailable);
+  EXPECT_THROW(s.start(one), manager::SchedulerUnavailable);
   EXPECT_TRUE(s.holds(one[0]));
   EXPECT_EQ(s.free_slots(), 0u);
   int answers = 0;
@@ -319,7 +321,7 @@ TEST_F(ASlurmScheduler, WhoseManagerWasKilledAfterSbatchFindsTheBatchByItsName) 
   SlurmScheduler second = scheduler();
   for (int k = 0; k < 20; ++k) EXPECT_TRUE(second.holds(two[0]));
   EXPECT_EQ(read_file(batch_folder() / "slurm_id"), "1\n");
-  second.stop(two, StopKind::at_once);
+  second.stop(two, manager::StopKind::at_once);
   EXPECT_THAT(slurm->calls_of("scancel"), ElementsAre(ElementsAre("scancel", "1_[0-1]")));
 }
 
@@ -381,15 +383,15 @@ TEST_F(ASlurmScheduler, StopsWithCheckpointsByFilesAndCancelsOnlyWhatWaits) {
   s.start(two);
   slurm->set_state(1, 1, "RUNNING");
   s.wait(0ms);
-  s.stop(two, StopKind::with_checkpoint);
-  for (const Task& task : two) EXPECT_TRUE(fs::exists(task.directory.stop()));
+  s.stop(two, manager::StopKind::with_checkpoint);
+  for (const manager::Task& task : two) EXPECT_TRUE(fs::exists(task.directory.stop()));
   EXPECT_THAT(slurm->calls_of("scancel"),
               ElementsAre(ElementsAre("scancel", "--state=PENDING", "1_[0]")));
   EXPECT_THAT(s.wait(0ms), IsEmpty());
-  note(two[1], worker_stopped);
+  note(two[1], job_folder::worker_stopped);
   std::vector<std::int64_t> stopped;
-  for (const WorkerEnd& end : s.wait(0ms)) {
-    EXPECT_EQ(end.exit_code, worker_stopped);
+  for (const manager::WorkerEnd& end : s.wait(0ms)) {
+    EXPECT_EQ(end.exit_code, job_folder::worker_stopped);
     EXPECT_FALSE(end.lost);
     stopped.push_back(end.job);
   }
@@ -401,11 +403,11 @@ TEST_F(ASlurmScheduler, StopsOneJobOfAPackWithoutTheOthers) {
   SlurmScheduler s = scheduler();
   const auto three = tasks(3);
   s.start(three);
-  s.stop(std::span(three).subspan(1, 1), StopKind::at_once);
+  s.stop(std::span(three).subspan(1, 1), manager::StopKind::at_once);
   EXPECT_THAT(slurm->calls_of("scancel"), IsEmpty());
   EXPECT_FALSE(fs::exists(three[0].directory.stop()));
   EXPECT_TRUE(fs::exists(three[1].directory.stop()));
-  s.stop(three, StopKind::at_once);
+  s.stop(three, manager::StopKind::at_once);
   EXPECT_THAT(slurm->calls_of("scancel"), ElementsAre(ElementsAre("scancel", "1_[0]")));
 }
 
@@ -415,7 +417,7 @@ TEST_F(ASlurmScheduler, StopsAtOnceWithoutBlameAndAsksAgainWhereSlurmDidNotListe
   s.start(one);
   slurm->set_state(1, 0, "RUNNING");
   slurm->scancel_answers = false;
-  s.stop(one, StopKind::at_once);
+  s.stop(one, manager::StopKind::at_once);
   EXPECT_THAT(s.wait(0ms), IsEmpty());
   slurm->scancel_answers = true;
   EXPECT_THAT(s.wait(0ms), IsEmpty());
@@ -423,7 +425,7 @@ TEST_F(ASlurmScheduler, StopsAtOnceWithoutBlameAndAsksAgainWhereSlurmDidNotListe
   EXPECT_THAT(s.wait(0ms), IsEmpty());
   const auto ends = s.wait(0ms);
   ASSERT_THAT(ends, SizeIs(1));
-  EXPECT_EQ(ends[0].exit_code, worker_stopped);
+  EXPECT_EQ(ends[0].exit_code, job_folder::worker_stopped);
   EXPECT_THAT(slurm->calls_of("scancel"), SizeIs(3));
 }
 
@@ -460,7 +462,7 @@ TEST_F(ASlurmScheduler, GivesBackWhatOnlyTheSecondSubmissionRefused) {
   s.start(six);
   const auto ends = s.wait(0ms);
   ASSERT_THAT(ends, SizeIs(2));
-  EXPECT_EQ(ends[0].exit_code, worker_stopped);
+  EXPECT_EQ(ends[0].exit_code, job_folder::worker_stopped);
   EXPECT_TRUE(s.holds(six[3]));
   EXPECT_FALSE(s.holds(six[4]));
   EXPECT_EQ(batch_folders(), 1u);
@@ -473,4 +475,4 @@ TEST_F(ASlurmScheduler, RefusesAFolderThatSbatchWouldMisread) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::slurm

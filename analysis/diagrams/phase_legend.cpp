@@ -1,0 +1,155 @@
+#include "analysis/diagrams/phase_legend.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/diagrams/phase_cells.hpp"
+#include "analysis/remnants/outcome.hpp"
+
+namespace eerie::diagrams {
+
+namespace {
+
+constexpr double words_size = 6, row_height = 9.5, symbol_width = 11, gap = 8;
+constexpr drawing::Colour sand{0xf6, 0xdf, 0xb4};
+
+/// Whether some cell of the figure passes.
+template <class Test>
+bool any(const PhaseFigure& figure, Test test) {
+  return std::ranges::any_of(
+      figure.diagrams, [&](const PhaseDiagram& d) { return std::ranges::any_of(d.cells, test); });
+}
+
+bool shows(const PhaseFigure& figure, MapQuantity quantity) {
+  return std::ranges::count(figure.quantities, quantity) > 0;
+}
+
+bool lacks_a_value(const PhaseFigure& figure) {
+  return any(figure, [&](const PhaseCell& c) {
+    return c.has_result() && std::ranges::any_of(figure.quantities, [&](MapQuantity quantity) {
+             return quantity != MapQuantity::outcome && !value_of(quantity, c);
+           });
+  });
+}
+
+}  // namespace
+
+PhaseLegend::PhaseLegend(const PhaseFigure& figure, double width_pt) {
+  add_curve(figure);
+  if (shows(figure, MapQuantity::b_over_a)) entries_.push_back({Mark::blue, "", "EER (b/a < 0.3)"});
+  if (any(figure, [](const PhaseCell& c) { return c.has_result() && c.smaller_eer; }))
+    entries_.push_back({Mark::corner, "", "a smaller remnant is an EER"});
+  add_classes(figure);
+  add_states(figure);
+  double x = 0;
+  int row = 0;
+  for (Entry& entry : entries_) {
+    const double width = symbol_width + drawing::text_width(entry.words, words_size);
+    if (x > 0 && x + width > width_pt) x = 0, ++row;
+    entry.x = x, entry.row = row;
+    x += width + gap;
+  }
+}
+
+void PhaseLegend::add_curve(const PhaseFigure& figure) {
+  std::vector<double> constants;
+  for (const PhaseDiagram& d : figure.diagrams)
+    if (d.threshold_cm_per_s) constants.push_back(*d.threshold_cm_per_s);
+  if (constants.empty()) return;
+  const bool same = std::ranges::count(constants, constants.front()) == std::ssize(constants);
+  entries_.push_back({Mark::curve, "",
+                      same ? fmt::format("v sin θ = {:.3g} cm/s", constants.front())
+                           : "v sin θ as in the panel's title"});
+}
+
+void PhaseLegend::add_classes(const PhaseFigure& figure) {
+  const bool coloured = shows(figure, MapQuantity::outcome);
+  for (const remnants::OutcomeName& row : remnants::outcome_names)
+    if (any(figure, [&](const PhaseCell& c) { return c.has_result() && c.outcome == row.name; }))
+      entries_.push_back({Mark::letter, std::string(row.short_name), std::string(row.name),
+                          coloured ? std::optional(outcome_colour(row.name)) : std::nullopt});
+  if (coloured &&
+      any(figure, [](const PhaseCell& c) { return c.has_result() && c.class_share < 1; }))
+    entries_.push_back({Mark::letter, "%", "of the seeds, where they differ"});
+}
+
+void PhaseLegend::add_states(const PhaseFigure& figure) {
+  for (const char* fidelity : {"sketch", "survey", "paper"})
+    if (any(figure, [&](const PhaseCell& c) { return c.fidelity == fidelity; }))
+      entries_.push_back({Mark::letter, map_mark::basis({.fidelity = fidelity, .seeds = 4}),
+                          fmt::format("4 seeds, {}", fidelity)});
+  if (any(figure, [](const PhaseCell& c) { return c.in_doubt; }))
+    entries_.push_back({Mark::doubt, "", "in doubt"});
+  if (any(figure, [](const PhaseCell& c) { return c.state == CellState::unsettled; }))
+    entries_.push_back({Mark::unsettled, "", "unsettled: pieces will meet again"});
+  if (any(figure, [](const PhaseCell& c) { return c.has_result() && c.stale; }))
+    entries_.push_back({Mark::stale, "", "stale: of another solver version"});
+  if (lacks_a_value(figure)) entries_.push_back({Mark::letter, "–", "has no such number"});
+  if (any(figure, [](const PhaseCell& c) { return c.state == CellState::failed; }))
+    entries_.push_back({Mark::failed, "", "failed"});
+  if (any(figure, [](const PhaseCell& c) { return c.state == CellState::pending; }))
+    entries_.push_back({Mark::pending, "", "not run yet"});
+  if (std::ranges::any_of(figure.diagrams, [](const PhaseDiagram& d) {
+        return std::ranges::count(CellGrid(d).cells, nullptr) > 0;
+      }))
+    entries_.push_back({Mark::missing, "", "no job"});
+}
+
+double PhaseLegend::height_pt() const {
+  return entries_.empty() ? 0 : row_height * (entries_.back().row + 1);
+}
+
+void PhaseLegend::draw_mark(drawing::Canvas& canvas, const Entry& entry, const drawing::Area& box) {
+  switch (entry.mark) {
+    case Mark::letter:
+      if (entry.fill) canvas.fill(box, *entry.fill);
+      canvas.text(box.centre(), entry.letter,
+                  {.size = words_size, .colour = map_mark::ink, .bold = true});
+      return;
+    case Mark::curve:
+      canvas.line({box.low.x, box.centre().y}, {box.high.x, box.centre().y}, map_mark::ink, 1.2);
+      return;
+    case Mark::blue:
+      canvas.fill(box, drawing::b_over_a_colour(0.15));
+      break;
+    case Mark::corner:
+      canvas.fill(box, sand);
+      map_mark::smaller_eer(canvas, box);
+      break;
+    case Mark::unsettled:
+      canvas.fill(box, sand);
+      map_mark::unsettled(canvas, box, sand, 2.4);
+      break;
+    case Mark::stale:
+      canvas.fill(box, sand);
+      map_mark::stale(canvas, box, sand, 2);
+      break;
+    case Mark::missing:
+      map_mark::missing(canvas, box);
+      break;
+    case Mark::pending:
+      map_mark::pending(canvas, box);
+      break;
+    case Mark::failed:
+      map_mark::failed(canvas, box);
+      break;
+    case Mark::doubt:
+      canvas.fill(box, sand);
+      map_mark::in_doubt(canvas,
+                         {{box.low.x - 1, box.low.y - 1}, {box.high.x + 1, box.high.y + 1}});
+      break;
+  }
+  canvas.outline(box, map_mark::grey, 0.3);
+}
+
+void PhaseLegend::draw(drawing::Canvas& canvas, drawing::Point upper_left) const {
+  for (const Entry& entry : entries_) {
+    const drawing::Point at{upper_left.x + entry.x, upper_left.y - row_height * (entry.row + 0.5)};
+    draw_mark(canvas, entry, {{at.x, at.y - 3}, {at.x + 8, at.y + 3}});
+    canvas.text({at.x + symbol_width, at.y}, entry.words,
+                {.size = words_size, .colour = map_mark::ink, .align = drawing::Align::left});
+  }
+}
+
+}  // namespace eerie::diagrams

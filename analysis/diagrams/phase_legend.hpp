@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/diagrams/phase_diagram.hpp"
+#include "analysis/drawing/canvas.hpp"
+
+namespace eerie::diagrams {
+
+/// Explains the marks that occur in a figure, in rows under it.
+class PhaseLegend {
+ public:
+  PhaseLegend(const PhaseFigure& figure, double width_pt);
+  double height_pt() const;
+  void draw(drawing::Canvas& canvas, drawing::Point upper_left) const;
+
+ private:
+  enum class Mark {
+    letter,
+    curve,
+    blue,
+    corner,
+    missing,
+    pending,
+    failed,
+    unsettled,
+    stale,
+    doubt
+  };
+  struct Entry {
+    Mark mark;
+    std::string letter, words;
+    std::optional<drawing::Colour> fill = {};  ///< behind a letter
+    double x = 0;
+    int row = 0;
+  };
+  void add_curve(const PhaseFigure& figure);
+  void add_classes(const PhaseFigure& figure);
+  void add_states(const PhaseFigure& figure);
+  static void draw_mark(drawing::Canvas& canvas, const Entry& entry, const drawing::Area& box);
+  std::vector<Entry> entries_;
+};
+
+}  // namespace eerie::diagrams

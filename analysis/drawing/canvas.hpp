@@ -1,0 +1,68 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/drawing/palette.hpp"
+
+namespace eerie::drawing {
+
+/// A place on the page, PostScript points from the lower left corner.
+struct Point {
+  double x = 0, y = 0;
+};
+
+/// A rectangle on the page, points.
+struct Area {
+  Point low, high;
+  double width() const { return high.x - low.x; }
+  double height() const { return high.y - low.y; }
+  Point centre() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
+};
+
+enum class Align { left, centre };
+
+/// How words are set.
+struct Style {
+  double size = 6;  ///< points
+  Colour colour;
+  Align align = Align::centre;
+  bool bold = false;
+  bool upwards = false;  ///< turned by 90 degrees
+};
+
+/// Collects the gnuplot commands for shapes and words at fixed places on the page. Shapes lie
+/// behind axes and curves, words before them.
+class Canvas {
+ public:
+  Canvas(double width_pt, double height_pt) : width_(width_pt), height_(height_pt) {}
+
+  void fill(const Area& area, Colour colour);
+  /// A fill before the curves, behind the words.
+  void patch(const Area& area, Colour colour);
+  void outline(const Area& area, Colour colour, double line_width);
+  void line(Point from, Point to, Colour colour, double line_width);
+  void polygon(const std::vector<Point>& corners, Colour colour);
+  /// Lines rising to the right, `distance` points apart, cut at the borders of the area.
+  void hatch(const Area& area, Colour colour, double distance);
+  /// Horizontal lines, `distance` points apart.
+  void rule(const Area& area, Colour colour, double distance);
+  void cross(const Area& area, Colour colour);
+  /// Words centred on `at` across their direction. Markup of gnuplot's enhanced text applies.
+  void text(Point at, std::string_view words, const Style& style);
+
+  const std::string& commands() const { return commands_; }
+
+ private:
+  std::string at(Point p) const;
+  void rectangle(const Area& area, Colour colour, const char* layer);
+  double width_, height_;
+  int objects_ = 0;
+  std::string commands_;
+};
+
+/// Approximate width of words without markup in DejaVu Sans, points.
+double text_width(std::string_view words, double size);
+
+}  // namespace eerie::drawing

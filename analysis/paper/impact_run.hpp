@@ -1,0 +1,55 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/paper/threshold.hpp"
+
+namespace eerie::paper {
+
+/// A remnant of at least 100 particles, as far as facts about impacts need it.
+struct RunRemnant {
+  int rank = 1;  ///< 1: the most massive
+  double mass_over_total = 0;
+  std::optional<double> a_m = {}, b_m = {}, b_over_a = {};
+  bool eer = false;
+};
+
+/// What a run is to be compared with others by: runs of different settings are never mixed.
+struct RunSettings {
+  std::int64_t particles_per_target = 0;
+  std::string name;      ///< fidelity, or the scheme where it has none
+  std::string fidelity;  ///< empty: has none
+  std::int64_t id = 0;   ///< tells apart what has the same name; what the database calls it
+  auto operator<=>(const RunSettings&) const = default;  // NOLINT(modernize-use-nullptr): no 0 here
+};
+
+/// One finished impact between the paper's bodies (Sugiura et al. 2019, Tables 1 and 2).
+struct ImpactRun {
+  double q = 1, phi_d_deg = 40, v_imp_cm_per_s = 0, theta_imp_deg = 0;
+  RunSettings settings;
+  std::int64_t seed = 1;
+  double stiffness = 1;  ///< A and B of the equation of state over the paper's
+  std::string outcome;   ///< class name (outcome.hpp)
+  double m_lr_over_m_total = 0;
+  std::optional<double> period_h = {};  ///< of the largest remnant
+  double ended_at_s = 0;
+  bool settled = true;                    ///< no remnants will meet again
+  std::vector<RunRemnant> remnants = {};  ///< the most massive first
+
+  /// Of the largest remnant; 1 where there is none.
+  double b_over_a() const { return remnants.empty() ? 1 : remnants.front().b_over_a.value_or(1); }
+};
+
+/// Impacts of a database are matched to those of the paper by values this close.
+inline constexpr double same_q = 1e-6, same_phi_d_deg = 1e-6, same_v_cm_per_s = 0.01,
+                        same_theta_deg = 0.01;
+
+/// The runs as cells of a map, one per (v, theta), whatever their q, phi_d and settings: the
+/// caller chooses runs that belong together.
+std::vector<RidgeCell> ridge_cells(const std::vector<ImpactRun>& runs);
+
+}  // namespace eerie::paper

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/remnants/outcome.hpp"
+#include "analysis/remnants/remnant_details.hpp"
+#include "analysis/remnants/remnants.hpp"
+#include "solver/io/snapshot.hpp"
+
+namespace eerie::remnants {
+
+/// What one snapshot says about an impact.
+struct Analysis {
+  OutcomeClass outcome = OutcomeClass::erosion;
+  double m_lr_over_m_total = 0;         ///< largest bound group
+  double m_slr_over_m_total = 0;        ///< second largest bound group
+  bool settled = true;                  ///< no two remnants will meet (again)
+  std::string unsettled_reason;         ///< with the numbers; empty when settled
+  double debris_bound_over_total = 0;   ///< mass in clumps too small for a remnant, bound to one
+  std::vector<Remnant> remnants;        ///< from the most massive on
+  std::vector<RemnantDetails> details;  ///< of each remnant; empty where not asked for
+};
+
+/// Finds remnants, bound groups, shapes, spins and the outcome class. The result does not depend
+/// on the memory order of the particles. `separated_after_contact`: the history saw the two
+/// bodies touch and come apart again (makes a merger graze-and-merge).
+Analysis analyse(const io::Snapshot& snapshot, bool separated_after_contact = false);
+
+/// The same with the details of every remnant, for the end of a run. `first`: the snapshot of the
+/// start, which tells where matter comes from; null where it is not there.
+Analysis analyse_in_detail(const io::Snapshot& snapshot, const io::Snapshot* first,
+                           bool separated_after_contact);
+
+/// {"outcome": {"class", "m_lr_over_m_total", "m_slr_over_m_total", "settled",
+///   "unsettled_reason" (string, empty when settled)},
+///  "remnants": [{"rank" (from 1), "particles", "mass_kg", "mass_over_total", "a_m", "b_m", "c_m",
+///   "b_over_a", "c_over_a", "spin_period_h" (null when it does not spin), "eer",
+///   "target_fraction", "bound_group" (from 1), "bound_mass_over_total", "x_m", "y_m", "z_m",
+///   "vx_m_per_s", "vy_m_per_s", "vz_m_per_s", and those of
+///   RemnantDetails where they were asked for}]}
+nlohmann::json to_json(const Analysis& analysis);
+
+}  // namespace eerie::remnants

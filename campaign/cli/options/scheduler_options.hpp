@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "campaign/manager/manager.hpp"
+#include "campaign/manager/scheduler.hpp"
+
+namespace eerie::cli {
+
+/// Where workers run, as the command line says it.
+struct EngineArguments {
+  std::string scheduler = "local";
+  std::filesystem::path profile;   ///< of Slurm
+  std::filesystem::path jobs_dir;  ///< empty: beside the database
+  double min_free_mb = 200;
+
+  bool is_local() const { return scheduler == "local"; }
+};
+void add_engine(CLI::App& app, EngineArguments& arguments);
+
+/// Throws InputError where the options do not fit together.
+void require_consistent(const EngineArguments& arguments);
+
+/// The scheduler for a database whose job folder is chosen. `workers` and `threads_per_job` are of
+/// local processes.
+std::unique_ptr<manager::Scheduler> make_scheduler(const EngineArguments& arguments,
+                                                   const db::Connection& connection,
+                                                   std::size_t workers, int threads_per_job);
+
+manager::ManagerOptions manager_options(const EngineArguments& arguments);
+
+/// Logs to "<database>.log", three files of 10 MB in turn, and to standard error where wanted.
+void open_manager_log(const std::filesystem::path& database, bool to_stderr);
+
+}  // namespace eerie::cli

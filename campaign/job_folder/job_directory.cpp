@@ -1,0 +1,122 @@
+#include "campaign/job_folder/job_directory.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "db/store/settings.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
+
+namespace eerie::job_folder {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+constexpr const char* folder_key = "jobs_folder";
+}
+
+JobFolder job_folder(const db::Connection& connection) {
+  if (const auto chosen = db::setting(connection, folder_key)) return {*chosen};
+  return {fs::path(connection.path().string() + ".jobs")};
+}
+
+void choose_job_folder(db::Connection& connection, const fs::path& root) {
+  const fs::path chosen = fs::absolute(root).lexically_normal();
+  const fs::path present = fs::absolute(job_folder(connection).root).lexically_normal();
+  if (chosen == present) return;
+  std::error_code ignored;
+  if (fs::exists(present, ignored) && !fs::is_empty(present, ignored))
+    throw InputError(fmt::format(
+        "--jobs-dir = {}: the job directories of {} lie in {}; leave the option out, or move them "
+        "and change the row 'jobs_folder' of the table settings",
+        root.string(), connection.path().string(), present.string()));
+  db::set(connection, folder_key, chosen.string());
+}
+
+json to_json(const WorkerProgress& p) {
+  return {{"time_s", p.time_s},
+          {"end_time_s", p.end_time_s},
+          {"expected_end_s", p.expected_end_s},
+          {"step", p.step},
+          {"particle_steps", p.particle_steps},
+          {"wall_s", p.wall_s},
+          {"pid", p.pid}};
+}
+
+std::optional<WorkerProgress> read_progress(const JobDirectory& directory) {
+  const auto document = read_json(directory.progress());
+  if (!document || !document->is_object()) return std::nullopt;
+  WorkerProgress p;
+  // A field of another type means a foreign file; progress only feeds the display.
+  try {
+    document->at("time_s").get_to(p.time_s);
+    document->at("end_time_s").get_to(p.end_time_s);
+    p.expected_end_s = document->value("expected_end_s", p.end_time_s);
+    document->at("step").get_to(p.step);
+    document->at("particle_steps").get_to(p.particle_steps);
+    document->at("wall_s").get_to(p.wall_s);
+    document->at("pid").get_to(p.pid);
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+  return p;
+}
+
+json to_json(const AttemptEnded& e) {
+  return {{"exit_code", e.exit_code},
+          {"core_seconds", e.core_seconds},
+          {"peak_memory_bytes", e.peak_memory_bytes},
+          {"host", e.host},
+          {"pid", e.pid}};
+}
+
+std::optional<AttemptEnded> read_ended(const JobDirectory& directory) {
+  const auto document = read_json(directory.ended());
+  if (!document || !document->is_object()) return std::nullopt;
+  AttemptEnded e;
+  try {
+    document->at("exit_code").get_to(e.exit_code);
+    document->at("core_seconds").get_to(e.core_seconds);
+    document->at("peak_memory_bytes").get_to(e.peak_memory_bytes);
+    document->at("host").get_to(e.host);
+    document->at("pid").get_to(e.pid);
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+  return e;
+}
+
+json to_json(const Failure& f) {
+  return {
+      {"kind", f.kind}, {"step", f.step}, {"particle_id", f.particle_id}, {"message", f.message}};
+}
+
+std::optional<Failure> read_failure(const JobDirectory& directory) {
+  const auto document = read_json(directory.failure());
+  if (!document || !document->is_object()) return std::nullopt;
+  Failure f;
+  try {
+    document->at("kind").get_to(f.kind);
+    document->at("step").get_to(f.step);
+    document->at("particle_id").get_to(f.particle_id);
+    document->at("message").get_to(f.message);
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+  return f;
+}
+
+std::optional<json> read_json(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  try {
+    json document = json::parse(read_file(path), nullptr, false);
+    if (document.is_discarded()) return std::nullopt;
+    return document;
+  } catch (const EnvironmentError&) {
+    return std::nullopt;  // removed since, or a slip of a network file system
+  }
+}
+
+}  // namespace eerie::job_folder

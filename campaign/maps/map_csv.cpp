@@ -1,0 +1,64 @@
+#include "campaign/maps/map_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/remnants/outcome.hpp"
+#include "campaign/text/csv.hpp"
+#include "solver/base/constants.hpp"
+
+namespace eerie::maps {
+
+namespace {
+
+/// "perfect_merging_share".
+std::string share_column(const remnants::OutcomeName& row) {
+  std::string name(row.name);
+  std::ranges::replace(name, '-', '_');
+  return name + "_share";
+}
+
+std::string header() {
+  std::string text =
+      "q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,v_over_v_esc,v_sin_theta_cm_per_s,settings,"
+      "fidelity,"
+      "particles_per_target,jobs,done,failed,stale,unsettled,seeds,b_over_a,b_over_a_std,c_over_a,"
+      "c_over_a_std,m_lr_over_m_total,m_lr_over_m_total_std,period_h,period_std_h,n_eer,n_eer_std,"
+      "p_eer,class,class_share";
+  for (const remnants::OutcomeName& row : remnants::outcome_names) text += "," + share_column(row);
+  return text + "\n";
+}
+
+std::string line(const db::MapPoint& p) {
+  std::string text = fmt::format("{},{},{},{},{:.6g},{:.6g},{},{},{},{},{},{},{},{},{}", p.q,
+                                 p.phi_d_deg, p.v_imp_cm_per_s, p.theta_imp_deg, p.v_over_v_esc,
+                                 p.v_imp_cm_per_s * std::sin(radians(p.theta_imp_deg)), p.settings,
+                                 p.fidelity, p.particles_per_target, p.jobs, p.done, p.failed,
+                                 p.stale, p.unsettled, p.results);
+  for (const db::Spread* s :
+       {&p.b_over_a, &p.c_over_a, &p.m_lr_over_m_total, &p.period_h, &p.n_eer})
+    text += fmt::format(",{},{}", text::csv_number(s->mean), text::csv_number(s->std_dev));
+  const auto share = [&](const std::string& outcome) -> std::optional<double> {
+    if (p.results == 0) return std::nullopt;
+    const auto found = p.classes.find(outcome);
+    return p.share(found == p.classes.end() ? 0 : found->second);
+  };
+  const std::string outcome = p.outcome_class();
+  text += fmt::format(",{},{},{}", p.results > 0 ? text::csv_number(p.p_eer()) : "", outcome,
+                      text::csv_number(share(outcome)));
+  for (const remnants::OutcomeName& row : remnants::outcome_names)
+    text += "," + text::csv_number(share(std::string(row.name)));
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string map_csv(const std::vector<db::MapPoint>& points) {
+  std::string text = header();
+  for (const db::MapPoint& p : points) text += line(p);
+  return text;
+}
+
+}  // namespace eerie::maps

@@ -1,0 +1,82 @@
+#include "campaign/maps/settings_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "db/jobs/job_settings.hpp"
+#include "solver/base/error.hpp"
+
+namespace eerie::maps {
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t most_fields = 5;
+
+/// Fields by pointer in which not all scenes agree; what most decides a result comes first.
+std::vector<std::string> differing(const std::vector<json>& scenes) {
+  std::set<std::string> fields;
+  for (const json& scene : scenes)
+    for (const auto& [field, value] : scene.items()) fields.insert(field);
+  std::vector<std::string> found;
+  for (const std::string& field : fields)
+    if (std::ranges::any_of(scenes, [&](const json& s) {
+          return s.value(field, json()) != scenes.front().value(field, json());
+        }))
+      found.push_back(field);
+  std::ranges::stable_partition(found, [](const std::string& field) {
+    return field == "/numerics/particles_per_target" || field == "/numerics/scheme";
+  });
+  return found;
+}
+
+/// "numerics.scheme=dual, end.time_s=30000 and 2 more".
+std::string told(const json& scene, const std::vector<std::string>& fields) {
+  std::string text;
+  for (std::size_t k = 0; k < std::min(fields.size(), most_fields); ++k) {
+    std::string path = fields[k].substr(1);
+    std::ranges::replace(path, '/', '.');
+    const json value = scene.value(fields[k], json());
+    text += fmt::format("{}{}={}", k == 0 ? "" : ", ", path,
+                        value.is_null()           ? "off"
+                        : value.is_number_float() ? fmt::format("{:g}", value.get<double>())
+                        : value.is_string()       ? value.get<std::string>()
+                                                  : value.dump());
+  }
+  if (fields.size() > most_fields) text += fmt::format(" and {} more", fields.size() - most_fields);
+  return text;
+}
+
+}  // namespace
+
+std::string settings_choices(const db::Connection& connection, const std::set<std::int64_t>& ids) {
+  std::vector<db::JobSettings> choices;
+  for (db::JobSettings& one : db::job_settings(connection))
+    if (ids.contains(one.id)) choices.push_back(std::move(one));
+  std::vector<json> scenes;
+  for (const db::JobSettings& one : choices) scenes.push_back(json::parse(one.scene).flatten());
+  const std::vector<std::string> fields = differing(scenes);
+  std::string text;
+  for (std::size_t k = 0; k < choices.size(); ++k) {
+    const std::string& name = choices[k].fidelity;
+    // A name may have meant something else to an older version of the program.
+    const bool tells =
+        !name.empty() && std::ranges::count(choices, name, &db::JobSettings::fidelity) == 1;
+    text += fmt::format("\n  {:<19} {}",
+                        tells ? "--fidelity " + name : fmt::format("--settings {}", choices[k].id),
+                        told(scenes[k], fields));
+  }
+  return text;
+}
+
+void require_one_settings(const db::Connection& connection, const std::set<std::int64_t>& ids) {
+  if (ids.size() > 1)
+    throw InputError(
+        fmt::format("{}: holds impacts of {} settings, which are not mixed; choose one by{}",
+                    connection.path().string(), ids.size(), settings_choices(connection, ids)));
+}
+
+}  // namespace eerie::maps

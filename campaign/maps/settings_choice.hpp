@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "db/store/connection.hpp"
+
+namespace eerie::maps {
+
+/// One line for each of these settings of a database: the option that chooses it, --fidelity NAME
+/// or --settings N, and in which fields it differs from the others.
+std::string settings_choices(const db::Connection& connection, const std::set<std::int64_t>& ids);
+
+/// Throws InputError with these lines where there is more than one.
+void require_one_settings(const db::Connection& connection, const std::set<std::int64_t>& ids);
+
+}  // namespace eerie::maps

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/sweeps/job.hpp"
+#include "db/views/query.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace eerie::studies {
+
+/// A convergence study, as read from its file (study.schema.json): some impacts at several
+/// particle numbers, each with several seeds, by one or more schemes.
+struct Study {
+  struct Published {
+    std::optional<double> b_over_a, m_1_over_m_total, period_h;
+    std::optional<bool> eer;  ///< whether one of the three largest remnants has b/a < 0.3
+  };
+  struct Case {
+    std::string name, title;
+    nlohmann::json scene;  ///< with that of the study
+    Published published;
+  };
+  struct Rung {
+    std::int64_t particles_per_target, seeds;
+    std::vector<std::string> cases;  ///< names; all of the study where empty
+  };
+  std::string name;
+  std::vector<std::string> schemes;
+  std::vector<Case> cases;
+  std::vector<Rung> ladder;
+  /// When what is published was measured, s after the start; nothing: when runs end.
+  std::optional<double> published_at_s;
+  nlohmann::json document;  ///< as given, for the database
+  std::string where;        ///< file name, for messages
+};
+
+/// Throws InputError naming path, value, allowed range and mend.
+Study parse_study(const nlohmann::json& document, const std::string& where);
+Study load_study(const std::filesystem::path& path);
+
+/// One run of a study.
+struct StudyRun {
+  std::string scheme, case_name;
+  std::int64_t particles_per_target = 0, seed = 0;
+  Scene scene;
+};
+
+/// All runs in the order in which they are worth having: by the cost of a particle number,
+/// N^(4/3), times the seed, so that a dear run comes when as much has gone into more seeds of cheap
+/// ones.
+std::vector<StudyRun> runs_of(const Study& study);
+
+/// The first of `runs` that together cost no more than `core_hours`.
+template <class Run>
+std::vector<Run> affordable(std::vector<Run> runs, double core_hours, const db::Speed& speed) {
+  double left = core_hours * 3600;
+  const auto end = std::ranges::find_if(runs, [&](const Run& run) {
+    return (left -= speed.core_seconds_of(sweeps::expected_particle_steps(run.scene))) < 0;
+  });
+  runs.erase(end, runs.end());
+  return runs;
+}
+
+}  // namespace eerie::studies

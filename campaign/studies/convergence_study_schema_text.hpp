@@ -1,0 +1,8 @@
+#pragma once
+
+namespace eerie::studies {
+
+/// study.schema.json, embedded by the build.
+extern const char* const convergence_study_schema_text;
+
+}  // namespace eerie::studies

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/figures/matrix_figure.hpp"
+#include "campaign/studies/cost_errors.hpp"
+
+namespace eerie::studies {
+
+/// What one setting makes of one impact.
+struct ChartCell {
+  std::size_t setting = 0, case_index = 0;
+  statistics::Ensemble b_over_a, c_over_a, m_1, period_h, core_seconds;  ///< of the largest remnant
+  double p_eer = 0;     ///< part of the runs with an EER among the three largest remnants
+  std::string classes;  ///< "hit-and-run 1; perfect-merging 5"
+};
+
+/// In the order of the study; none where there is no result.
+std::vector<ChartCell> chart_cells(const ChartStudy& study,
+                                   const std::vector<ChartResult>& results);
+
+/// One line per setting and case, units in the header.
+std::string chart_cells_csv(const ChartStudy& study, const std::vector<ChartCell>& cells);
+
+/// A row per setting, a column per case: b/a and mass of the largest remnant.
+figures::MatrixFigure chart_matrix(const ChartStudy& study, const std::vector<ChartCell>& cells);
+
+}  // namespace eerie::studies

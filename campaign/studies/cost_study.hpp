@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "solver/scene/scene.hpp"
+
+namespace eerie::studies {
+
+/// A study of cost against accuracy, as read from its file (chart.schema.json): some impacts with
+/// default settings, with one knob at a time turned, and with the settings of a reference.
+struct ChartStudy {
+  struct Case {
+    std::string name, title;
+    nlohmann::json scene;  ///< with that of the study and its fidelity
+  };
+  struct Setting {
+    std::string knob, label;
+    nlohmann::json set;  ///< dotted path -> value
+    std::int64_t seeds = 1;
+  };
+  std::string name;
+  std::vector<Case> cases;
+  std::vector<Setting> settings;  ///< the default first, the reference last
+  nlohmann::json document;        ///< as given, for the database
+};
+
+inline constexpr const char* default_knob = "default";
+inline constexpr const char* reference_knob = "reference";
+
+/// Throws InputError naming path, value, allowed range and mend.
+ChartStudy parse_chart_study(const nlohmann::json& document, const std::string& where);
+ChartStudy load_chart_study(const std::filesystem::path& path);
+
+/// One run of such a study.
+struct ChartRun {
+  std::size_t setting = 0, case_index = 0;
+  std::int64_t seed = 1;
+  Scene scene;
+};
+
+/// All runs, the first seeds of all settings first.
+std::vector<ChartRun> runs_of(const ChartStudy& study);
+
+}  // namespace eerie::studies

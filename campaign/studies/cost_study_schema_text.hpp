@@ -1,0 +1,8 @@
+#pragma once
+
+namespace eerie::studies {
+
+/// chart.schema.json, embedded by the build.
+extern const char* const cost_study_schema_text;
+
+}  // namespace eerie::studies

@@ -1,0 +1,128 @@
+#include "campaign/studies/study_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+#include "analysis/remnants/remnants.hpp"
+#include "campaign/results/run_statistics.hpp"
+
+namespace eerie::studies {
+
+namespace {
+
+/// 50000 -> "50,000".
+std::string thousands(std::int64_t n) {
+  std::string text = fmt::format("{}", n);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  return text;
+}
+
+/// A title without the braces that gnuplot needs around subscripts.
+std::string plain(std::string title) {
+  std::erase_if(title, [](char c) { return c == '{' || c == '}'; });
+  return title;
+}
+
+std::string range(const statistics::Ensemble& e, int digits) {
+  if (e.runs == 0) return "-";
+  if (e.runs == 1) return fmt::format("{:.{}f}", e.mean, digits);
+  return fmt::format("{:.{}f} ± {:.{}f}", e.mean, digits, e.deviation, digits);
+}
+
+/// Columns for the time of what was published, where the study says one.
+std::string header_at(std::optional<double> time_s) {
+  if (!time_s) return "";
+  return fmt::format(" b/a at {0:g} s | M_1/M at {0:g} s | P(EER) at {0:g} s |", *time_s);
+}
+std::string row_at_published(const StudyCell::AtPublished& then) {
+  return fmt::format(" {} | {} | {} |", range(then.b_over_a, 2), range(then.m_1, 2),
+                     then.m_1.runs > 0 ? fmt::format("{:.2f}", then.p_eer) : "-");
+}
+
+std::string row(const StudyCell& c) {
+  return fmt::format("| {} | `{}` | {} | {} | {} | {} | {:.2f} | {:.2f} | {} | {:.0f} |",
+                     thousands(c.particles_per_target), c.scheme, c.m_1.runs, range(c.b_over_a, 2),
+                     range(c.m_1, 2), range(c.period_h, 1), c.p_eer, c.unsettled, c.classes,
+                     c.core_seconds.mean);
+}
+
+std::string published_text(const Study::Published& published) {
+  std::string text;
+  const auto add = [&](const char* name, std::optional<double> value, const char* unit) {
+    if (value) text += fmt::format("{}{} {:.3g}{}", text.empty() ? "" : ", ", name, *value, unit);
+  };
+  add("b/a", published.b_over_a, "");
+  add("M_1/M", published.m_1_over_m_total, "");
+  add("period", published.period_h, " h");
+  if (published.eer)
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", *published.eer ? "EER" : "no EER");
+  return text;
+}
+
+/// "from 2,000 on", of a particle number that means are right from.
+std::string from_on(std::optional<std::int64_t> n) {
+  return n ? fmt::format("from {} on", thousands(*n)) : "not yet";
+}
+
+std::string sentence(const Reach& r) {
+  std::string text = fmt::format("- `{}`: ", r.scheme);
+  if (r.own)
+    text += fmt::format("near its own {} {}", thousands(r.finest),
+                        *r.own == r.finest ? "with no fewer" : from_on(r.own));
+  else
+    text += fmt::format("only {} were run", thousands(r.finest));
+  if (r.has_published) text += fmt::format("; as published: {}", from_on(r.published));
+  if (r.known_to && *r.known_to > b_over_a_within)
+    text += fmt::format("; by chance, perhaps: the means of b/a are known to {:.2f}", *r.known_to);
+  if (r.b_over_a && r.b_over_a->error <= known_limit)
+    text += fmt::format("; b/a goes to {:.2f} ± {:.2f} as spacings vanish", r.b_over_a->value,
+                        r.b_over_a->error);
+  return text + ".\n";
+}
+
+/// Rows of one particle number stand together, in the order of the schemes.
+std::vector<StudyCell> by_particles(const Study::Case& one, const std::vector<StudyCell>& cells) {
+  std::vector<StudyCell> of_case;
+  std::ranges::copy_if(cells, std::back_inserter(of_case),
+                       [&](const StudyCell& c) { return c.case_name == one.name; });
+  std::ranges::stable_sort(of_case, {}, &StudyCell::particles_per_target);
+  return of_case;
+}
+
+}  // namespace
+
+std::string study_page(const Study& study, const std::vector<StudyCell>& cells,
+                       const std::vector<Reach>& reaches) {
+  std::string page = fmt::format(
+      "# {}\n\nMade by `eerie converge`; do not edit. Of the largest remnant: mean and standard "
+      "deviation of single runs over seeds. P(EER): part of the runs with a remnant of b/a < "
+      "{:g} among the three largest, of {:g} of the mass at least. Unsettled: part of the runs "
+      "that ended with remnants still to meet. \"Near\": means "
+      "within {:g} in b/a and {:g} in M_1/M; \"as published\": that, and an EER in more than half "
+      "of the runs, or less, where one was published or not; each for that particle number and "
+      "all larger ones.\n",
+      study.name, remnants::eer_max_b_over_a, results::eer_least_mass, b_over_a_within, m_1_within);
+  for (const Study::Case& one : study.cases) {
+    const std::vector<StudyCell> rows = by_particles(one, cells);
+    if (rows.empty()) continue;
+    page += fmt::format("\n## {}\n\n![{}]({}.svg)\n\n", plain(one.title), one.name, one.name);
+    if (const std::string text = published_text(one.published); !text.empty())
+      page += "Published: " + text + ".\n\n";
+    page +=
+        "| particles per target | scheme | runs | b/a | M_1/M | period, h | P(EER) | unsettled | "
+        "classes | core-s |" +
+        header_at(study.published_at_s) + "\n|---|---|---|---|---|---|---|---|---|---|" +
+        (study.published_at_s ? "---|---|---|\n" : "\n");
+    for (const StudyCell& cell : rows)
+      page += row(cell) + (study.published_at_s ? row_at_published(cell.at_published) : "") + "\n";
+    page += "\n";
+    for (const Reach& reach : reaches)
+      if (reach.case_name == one.name) page += sentence(reach);
+  }
+  return page;
+}
+
+}  // namespace eerie::studies

@@ -1,8 +1,0 @@
-#pragma once
-
-namespace eerie {
-
-/// sweep.schema.json, embedded at build time so that the program runs from anywhere.
-extern const char* const sweep_schema_text;
-
-}  // namespace eerie

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eerie::sweeps {
+
+/// "/impact/q" of "impact.q".
+std::string field_pointer(const std::string& path);
+
+/// Short names of the fields that every sweep varies.
+struct ShortName {
+  std::string_view name, path;
+};
+inline constexpr std::array<ShortName, 4> short_names = {{
+    {"q", "impact.q"},
+    {"phi_d_deg", "material.drucker_prager.phi_d_deg"},
+    {"v_imp_cm_per_s", "impact.v_imp_cm_per_s"},
+    {"theta_imp_deg", "impact.theta_imp_deg"},
+}};
+
+/// A field of the scene and its piece of the schema.
+struct SceneField {
+  std::string path;              ///< dotted, "impact.q"
+  const nlohmann::json* schema;  ///< never null
+};
+
+/// The field of a dotted path or short name. Throws InputError that names the closest known
+/// fields where there is none; `where` stands in front.
+SceneField scene_field(const std::string& name, const std::string& where);
+
+/// The field in a scene's JSON, or nullptr.
+const nlohmann::json* find_field(const nlohmann::json& scene, const std::string& path);
+void set_field(nlohmann::json& scene, const std::string& path, nlohmann::json value);
+
+/// Each "--set PATH=VALUE" in order, checked against the schema. Throws InputError.
+void apply_overrides(nlohmann::json& scene, const std::vector<std::string>& overrides);
+
+/// 30.0 becomes 30: one spelling for one number, and an integer where the schema wants one.
+nlohmann::json canonical_number(double value);
+
+/// Every number of `document` in that spelling.
+nlohmann::json with_integers(nlohmann::json document);
+
+}  // namespace eerie::sweeps

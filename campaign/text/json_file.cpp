@@ -1,0 +1,96 @@
+#include "campaign/text/json_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
+
+#include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
+
+namespace eerie::text {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr int max_depth = 32;
+constexpr std::uintmax_t max_bytes = 16 << 20;
+
+/// "line 3, column 7" of a byte offset that counts from 1, as the parser gives it.
+std::string position(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t line_start =
+      before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+  return fmt::format("line {}, column {}", line, before.size() - line_start + 1);
+}
+
+/// The parser's own words without its error number and position.
+std::string without_prefix(const std::string& what) {
+  for (const char* mark : {"syntax error", "attempting"})
+    if (const std::size_t at = what.find(mark); at != std::string::npos) return what.substr(at);
+  const std::size_t end = what.find("] ");
+  return end == std::string::npos ? what : what.substr(end + 2);
+}
+
+/// Watches the parser's events for what the parser itself lets pass.
+class Strict {
+ public:
+  explicit Strict(std::string name) : name_(std::move(name)) {}
+
+  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
+    using Event = json::parse_event_t;
+    if (depth > max_depth)
+      throw InputError(
+          fmt::format("{}: nested deeper than {} levels; flatten it", name_, max_depth));
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end) keys_.pop_back();
+    if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second)
+      throw InputError(fmt::format("{}: the key {} stands twice in one object; remove one of them",
+                                   name_, parsed.dump()));
+    return true;
+  }
+
+ private:
+  std::string name_;
+  std::vector<std::set<std::string>> keys_;
+};
+
+}  // namespace
+
+json parse_json(std::string_view text, const std::string& name) {
+  Strict strict(name);
+  try {
+    return json::parse(text, [&](int depth, json::parse_event_t event, json& parsed) {
+      return strict(depth, event, parsed);
+    });
+  } catch (const json::parse_error& error) {
+    throw InputError(fmt::format("{}, {}: not JSON: {}", name, position(text, error.byte),
+                                 without_prefix(error.what())));
+  } catch (const json::exception& error) {
+    throw InputError(fmt::format("{}: not JSON: {}", name, without_prefix(error.what())));
+  }
+}
+
+json load_json(const fs::path& path) {
+  std::error_code problem;
+  const std::uintmax_t bytes = fs::file_size(path, problem);
+  if (problem)
+    throw InputError(fmt::format("{}: cannot be read: {}; give the path of a JSON file",
+                                 path.string(), problem.message()));
+  if (bytes > max_bytes)
+    throw InputError(fmt::format("{}: {} bytes are more than the {} of any scene or sweep file",
+                                 path.string(), bytes, max_bytes));
+  std::string text;
+  try {
+    text = read_file(path);
+  } catch (const EnvironmentError& error) {
+    throw InputError(error.what());
+  }
+  return parse_json(text, path.string());
+}
+
+}  // namespace eerie::text

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "analysis/remnants/analysis.hpp"
+#include "solver/run/run.hpp"
+
+namespace eerie::worker {
+
+struct WorkerOptions {
+  std::filesystem::path directory;
+  int threads = 1;
+  long parent = 0;  ///< process to die with; 0: none
+};
+
+/// Runs the job of a directory to its result.json or failure.json, or until told to stop.
+/// Speaks through files only. Returns the exit code.
+int run_worker(const WorkerOptions& options);
+
+/// One impact in a folder: history, run and analysis, without lock, log or result file.
+struct Computed {
+  run::RunSummary summary;
+  remnants::Analysis analysis;
+};
+Computed compute(const Scene& scene, const std::filesystem::path& directory, int threads,
+                 long max_steps, const std::function<void(const run::Progress&)>& on_progress);
+
+}  // namespace eerie::worker

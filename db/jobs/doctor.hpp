@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/jobs/rows.hpp"
+#include "db/store/connection.hpp"
+
+namespace eerie::db {
+
+// What an examination asks of a database.
+
+/// Rows that name a row that is not there.
+std::vector<std::string> broken_references(const Connection& connection);
+
+bool has_open_attempt(const Connection& connection, std::int64_t job);
+
+/// The numbers of a job's result by which it is told from another.
+struct ResultMark {
+  std::string outcome_class;
+  std::optional<double> b_over_a;
+  std::int64_t steps = 0;
+};
+std::optional<ResultMark> result_of(const Connection& connection, std::int64_t job);
+
+}  // namespace eerie::db

@@ -1,0 +1,74 @@
+#include "db/store/migrations.hpp"
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
+#include <fmt/format.h>
+
+#include <array>
+
+#include "db/store/schema.hpp"
+#include "db/store/schema_2.hpp"
+#include "db/store/schema_3.hpp"
+#include "db/store/schema_4.hpp"
+#include "db/store/schema_5.hpp"
+#include "db/store/error.hpp"
+
+namespace eerie::db {
+namespace {
+
+constexpr int application_id = 0x65657269;  // "eeri"
+
+constexpr std::array<Migration, 5> steps = {{
+    {1, schema_1},
+    {2, schema_2},
+    {3, schema_3},
+    {4, schema_4},
+    {5, schema_5},
+}};
+
+int pragma(SQLite::Database& database, const char* name) {
+  return database.execAndGet(fmt::format("PRAGMA {}", name)).getInt();
+}
+
+}  // namespace
+
+std::span<const Migration> migrations() { return steps; }
+int latest_version() { return steps.back().version; }
+
+void require_ours(SQLite::Database& database, const std::string& path) {
+  const int tables = database.execAndGet("SELECT count(*) FROM sqlite_master").getInt();
+  if (tables > 0 && pragma(database, "application_id") != application_id)
+    throw Error(fmt::format(
+        "database {}: it is an SQLite database of another program; give another file to --db",
+        path));
+  if (const int version = pragma(database, "user_version"); version > latest_version())
+    throw Error(fmt::format(
+        "database {}: its schema has version {} and this program knows versions up to {}; "
+        "use a newer eerie",
+        path, version, latest_version()));
+}
+
+void require_current(SQLite::Database& database, const std::string& path) {
+  if (const int version = pragma(database, "user_version"); version < latest_version())
+    throw Error(
+        fmt::format("database {}: its schema has version {} and this program reads version {}; "
+                    "`eerie run`, `daemon` or `doctor --fix` with it brings it up to date",
+                    path, version, latest_version()));
+}
+
+void migrate(SQLite::Database& database) {
+  if (pragma(database, "user_version") >= latest_version()) return;
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  // Read again: another process may have migrated while this one waited for the write lock.
+  const int version = pragma(database, "user_version");
+  for (const Migration& step : steps) {
+    if (step.version <= version) continue;
+    database.exec(step.sql);
+    database.exec(fmt::format("PRAGMA user_version = {}", step.version));
+  }
+  database.exec(fmt::format("PRAGMA application_id = {}", application_id));
+  transaction.commit();
+}
+
+}  // namespace eerie::db

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "db/store/connection.hpp"
+
+namespace eerie::db {
+
+// What a database remembers about itself.
+
+std::optional<std::string> setting(const Connection& connection, const std::string& key);
+void set(Connection& connection, const std::string& key, const std::string& value);
+
+}  // namespace eerie::db

@@ -1,0 +1,140 @@
+#include "db/views/map_points.hpp"
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "db/jobs/rows.hpp"
+#include "db/store/bind.hpp"
+
+namespace eerie::db {
+namespace {
+
+constexpr const char* select_jobs = R"sql(
+SELECT j.q, j.phi_d_deg, j.v_imp_cm_per_s, j.theta_imp_deg, j.v_over_v_esc, j.particles_per_target,
+       j.settings, j.fidelity, j.state, r.class, r.b_over_a, r.c_over_a, r.period_h,
+       r.m_lr_over_m_total, r.n_eer, r.eer, r.settled, r.solver_version <> now.value AS stale
+FROM jobs j LEFT JOIN job_results r ON r.job_id = j.id
+     LEFT JOIN settings now ON now.key = 'solver_version'
+WHERE (:sweep IS NULL OR j.id IN (SELECT job_id FROM sweep_jobs WHERE sweep_id = :sweep))
+  AND (:q IS NULL OR j.q = :q) AND (:phi_d IS NULL OR j.phi_d_deg = :phi_d)
+  AND (:particles IS NULL OR j.particles_per_target = :particles)
+  AND (:fidelity IS NULL OR j.fidelity = :fidelity)
+  AND (:settings IS NULL OR j.settings = :settings)
+ORDER BY j.q, j.phi_d_deg, j.particles_per_target, j.settings, j.v_imp_cm_per_s, j.theta_imp_deg,
+         j.id
+)sql";
+
+template <class T>
+void bind_named(SQLite::Statement& select, const char* name, const std::optional<T>& value) {
+  if (value)
+    select.bind(name, *value);
+  else
+    select.bind(name);
+}
+
+MapPoint place(const SQLite::Statement& row) {
+  MapPoint p;
+  p.q = row.getColumn("q").getDouble();
+  p.phi_d_deg = row.getColumn("phi_d_deg").getDouble();
+  p.v_imp_cm_per_s = row.getColumn("v_imp_cm_per_s").getDouble();
+  p.theta_imp_deg = row.getColumn("theta_imp_deg").getDouble();
+  p.v_over_v_esc = row.getColumn("v_over_v_esc").getDouble();
+  p.particles_per_target = row.getColumn("particles_per_target").getInt64();
+  p.settings = row.getColumn("settings").getInt64();
+  return p;
+}
+
+bool same_place(const MapPoint& a, const MapPoint& b) {
+  return a.q == b.q && a.phi_d_deg == b.phi_d_deg && a.v_imp_cm_per_s == b.v_imp_cm_per_s &&
+         a.theta_imp_deg == b.theta_imp_deg && a.settings == b.settings;
+}
+
+/// The jobs of one place, as they come.
+class Tally {
+ public:
+  void add(MapPoint& p, const SQLite::Statement& row) {
+    ++p.jobs;
+    if (const SQLite::Column name = row.getColumn("fidelity"); !name.isNull())
+      p.fidelity = name.getString();
+    const std::string state = row.getColumn("state").getString();
+    p.done += state == name(job_state_names, JobState::done);
+    p.failed += state == name(job_state_names, JobState::failed);
+    if (row.getColumn("class").isNull()) return;
+    ++p.results;
+    ++p.classes[row.getColumn("class").getString()];
+    const int n_eer = row.getColumn("n_eer").getInt(), eer = row.getColumn("eer").getInt() != 0;
+    p.largest_is_eer += eer;
+    p.smaller_is_eer += n_eer > eer;
+    p.unsettled += row.getColumn("settled").getInt() == 0;
+    p.stale += row.getColumn("stale").getInt() != 0;
+    note(b_over_a_, row.getColumn("b_over_a"));
+    note(c_over_a_, row.getColumn("c_over_a"));
+    note(period_h_, row.getColumn("period_h"));
+    note(m_lr_, row.getColumn("m_lr_over_m_total"));
+    note(n_eer_, row.getColumn("n_eer"));
+  }
+
+  void finish(MapPoint& p) const {
+    p.b_over_a = spread(b_over_a_), p.c_over_a = spread(c_over_a_);
+    p.period_h = spread(period_h_), p.m_lr_over_m_total = spread(m_lr_), p.n_eer = spread(n_eer_);
+  }
+
+ private:
+  static void note(std::vector<double>& numbers, const SQLite::Column& column) {
+    if (!column.isNull()) numbers.push_back(column.getDouble());
+  }
+  std::vector<double> b_over_a_, c_over_a_, period_h_, m_lr_, n_eer_;
+};
+
+}  // namespace
+
+Spread spread(const std::vector<double>& numbers) {
+  Spread s;
+  s.count = std::ssize(numbers);
+  if (numbers.empty()) return s;
+  const auto n = static_cast<double>(numbers.size());
+  const double mean = std::accumulate(numbers.begin(), numbers.end(), 0.0) / n;
+  s.mean = mean;
+  if (numbers.size() < 2) return s;
+  double squares = 0;
+  for (const double x : numbers) squares += (x - mean) * (x - mean);
+  s.std_dev = std::sqrt(squares / (n - 1));
+  return s;
+}
+
+std::string MapPoint::outcome_class() const {
+  const auto most =
+      std::ranges::max_element(classes, {}, &std::pair<const std::string, std::int64_t>::second);
+  return most == classes.end() ? "" : most->first;
+}
+
+std::vector<MapPoint> map_points(const Connection& connection, const MapFilter& filter) {
+  std::vector<MapPoint> points;
+  connection.read([&](SQLite::Database& sql) {
+    SQLite::Statement select(sql, select_jobs);
+    bind_named(select, ":sweep", filter.sweep);
+    bind_named(select, ":q", filter.q);
+    bind_named(select, ":phi_d", filter.phi_d_deg);
+    bind_named(select, ":particles", filter.particles_per_target);
+    bind_named(select, ":fidelity", filter.fidelity);
+    bind_named(select, ":settings", filter.settings);
+    Tally tally;
+    while (select.executeStep()) {
+      const MapPoint here = place(select);
+      if (points.empty() || !same_place(points.back(), here)) {
+        if (!points.empty()) tally.finish(points.back());
+        points.push_back(here);
+        tally = {};
+      }
+      tally.add(points.back(), select);
+    }
+    if (!points.empty()) tally.finish(points.back());
+  });
+  return points;
+}
+
+}  // namespace eerie::db

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/store/connection.hpp"
+
+namespace eerie::db {
+
+/// A number over the results of one place.
+struct Spread {
+  std::int64_t count = 0;              ///< results that have the number
+  std::optional<double> mean = {};     ///< empty: none has
+  std::optional<double> std_dev = {};  ///< of the sample, over count - 1; empty: fewer than two
+};
+Spread spread(const std::vector<double>& numbers);
+
+/// One place of a map: all jobs with this speed and angle and the same settings; they differ in
+/// seed. Results of another solver version count as they stand.
+struct MapPoint {
+  double q = 0, phi_d_deg = 0, v_imp_cm_per_s = 0, theta_imp_deg = 0, v_over_v_esc = 0;
+  std::int64_t particles_per_target = 0;
+  std::int64_t settings = 0;  ///< db/jobs/job_settings.hpp
+  std::string fidelity = {};  ///< empty: settings without a name
+  std::int64_t jobs = 0, done = 0, failed = 0;
+  std::int64_t results = 0;  ///< of these, `stale` made by another solver version, `unsettled`
+  std::int64_t stale = 0, unsettled = 0;               ///< with remnants that will meet again
+  Spread b_over_a = {}, c_over_a = {}, period_h = {};  ///< of the largest remnant
+  Spread m_lr_over_m_total = {}, n_eer = {};
+  std::int64_t largest_is_eer = 0, smaller_is_eer = 0;  ///< results in which it is so
+  std::map<std::string, std::int64_t> classes = {};     ///< results of each
+
+  /// The most frequent class, of equals the first by name; empty without results.
+  std::string outcome_class() const;
+  /// Fraction of the results; 0 without any.
+  double p_eer() const { return share(largest_is_eer); }
+  double share(std::int64_t of_results) const {
+    return results == 0 ? 0 : static_cast<double>(of_results) / static_cast<double>(results);
+  }
+};
+
+struct MapFilter {
+  std::optional<std::int64_t> sweep = {};
+  std::optional<double> q = {}, phi_d_deg = {};
+  std::optional<std::int64_t> particles_per_target = {};
+  std::optional<std::string> fidelity = {};
+  std::optional<std::int64_t> settings = {};
+};
+
+/// Ordered by q, phi_d, particles, settings, then v_imp and theta_imp.
+std::vector<MapPoint> map_points(const Connection& connection, const MapFilter& filter);
+
+}  // namespace eerie::db

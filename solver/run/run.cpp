@@ -1,0 +1,279 @@
+#include "solver/run/run.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "solver/base/error.hpp"
+#include "solver/initial/bodies.hpp"
+#include "solver/run/checkpoints.hpp"
+#include "solver/step/late.hpp"
+#include "solver/step/solver.hpp"
+
+namespace eerie::run {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* last_good_file = "last_good.hdf5";
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Outputs fall due by the number of whole intervals that have passed, a function of simulated
+/// time alone, so an interrupted run writes the same ones.
+class Schedule {
+ public:
+  Schedule(double interval, double now) : interval_(interval), done_(passed(now)) {}
+  bool due(double now) {
+    const long n = passed(now);
+    return n > done_ ? (done_ = n, true) : false;
+  }
+  long count() const { return done_; }
+  double next() const {
+    return interval_ > 0 ? static_cast<double>(done_ + 1) * interval_
+                         : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  long passed(double now) const {
+    return interval_ > 0 ? static_cast<long>(std::floor(now / interval_ * (1 + 1e-12))) : 0;
+  }
+  double interval_;
+  long done_;
+};
+
+/// When a run ends whose remnants do not settle before. From end.time_s on it may end as soon as
+/// nothing will meet, asked every thirtieth of that time, and at end.latest_s it does: a function
+/// of simulated time alone, so that an interrupted run ends at the same moment.
+class Ending {
+ public:
+  Ending(const Scene::End& end, const std::function<bool(const io::Snapshot&)>& will_meet)
+      : end_(end), will_meet_(will_meet) {}
+
+  /// The next moment at which a run that has come to `now` may end.
+  double next(double now) const {
+    if (end_.latest_s <= end_.time_s || now < end_.time_s * (1 - rounding)) return end_.time_s;
+    const double interval = end_.time_s / 30;
+    const double asked = std::floor((now - end_.time_s) / interval + 1e-6);
+    return std::min(end_.latest_s, end_.time_s + (asked + 1) * interval);
+  }
+  /// Why a run that may end now does; nothing where it goes on.
+  template <class MakeSnapshot>
+  std::optional<EndReason> reason(double now, MakeSnapshot&& snapshot) const {
+    if (end_.latest_s <= end_.time_s) return EndReason::end_time;
+    if (!will_meet_ || !will_meet_(snapshot())) return EndReason::end_time;
+    if (now >= end_.latest_s * (1 - rounding)) return EndReason::latest_time;
+    return std::nullopt;
+  }
+  static constexpr double rounding = 1e-12;
+
+ private:
+  Scene::End end_;
+  const std::function<bool(const io::Snapshot&)>& will_meet_;
+};
+
+class Run {
+ public:
+  Run(const Scene& scene, const RunOptions& options)
+      : scene_(scene),
+        options_(options),
+        solver_(begin()),
+        snapshots_(scene.output.snapshot_interval_s, solver_.state().time),
+        histories_(scene.output.history_interval_s, solver_.state().time),
+        looks_(scene.end.settled.window_s / looks_per_window, solver_.state().time),
+        last_good_(checkpoint()),
+        ending_(scene.end, options.will_meet),
+        goal_(ending_.next(solver_.state().time)),
+        over_(reason_to_end()) {}
+
+  RunSummary go() {
+    const long first_step = solver_.state().step;
+    RunEnd end = RunEnd::finished;
+    while (!over_) {
+      if (options_.max_steps > 0 && solver_.state().step - first_step >= options_.max_steps) {
+        end = RunEnd::step_limit;
+        break;
+      }
+      if (options_.stop && options_.stop()) {
+        end = RunEnd::stopped;
+        break;
+      }
+      advance();
+      over_ = reason_to_end();
+      write_outputs();
+      if (options_.on_progress) options_.on_progress(progress());
+    }
+    {
+      const StageTimer timer(solver_.stages(), Stage::output);
+      if (end == RunEnd::finished)
+        io::write_snapshot(options_.directory / final_file, checkpoint());
+      else
+        install_checkpoint(options_.directory, checkpoint());
+    }
+    RunSummary summary;
+    summary.end = end;
+    summary.reason = over_.value_or(EndReason::end_time);
+    summary.last = snapshot();
+    summary.first_totals = first_totals_;
+    summary.last_totals = step::totals(scene_, solver_.state());
+    summary.progress = progress();
+    summary.stages = solver_.stages();
+    summary.steps_here = static_cast<double>(solver_.state().step - first_step);
+    summary.list_builds = earlier_list_builds_ + solver_.list_builds();
+    summary.threads = options_.threads;
+    return summary;
+  }
+
+ private:
+  /// Asked after every cycle; looks at the remnants when a look is due and at the goals alone.
+  std::optional<EndReason> reason_to_end() {
+    if (looks_.due(solver_.state().time)) {
+      const io::Snapshot now_there = snapshot();
+      if (options_.settled && options_.settled(now_there)) return EndReason::settled;
+      if (scene_.numerics.late_sound_speed < 1 && solver_.state().softening == 1 && options_.calm &&
+          options_.calm(now_there))
+        begin_late_phase();
+      else if (options_.fly)
+        if (auto landing = options_.fly(now_there, next_stop())) land(*std::move(landing));
+    }
+    const double now = solver_.state().time;
+    if (now < goal_ * (1 - Ending::rounding)) return std::nullopt;
+    const auto reason = ending_.reason(now, [this] { return snapshot(); });
+    if (!reason) goal_ = ending_.next(now);
+    return reason;
+  }
+
+  /// Goes on with another state; the new solver keeps the old one's accounts.
+  void go_on_with(particles::State state) {
+    const StageTimes spent = solver_.stages();
+    earlier_list_builds_ += solver_.list_builds();
+    solver_ = step::Solver(scene_, std::move(state));
+    for (std::size_t k = 0; k < stage_count; ++k) solver_.stages().seconds[k] += spent.seconds[k];
+  }
+
+  /// A flight must not pass over a snapshot, or the moment at which the run may end.
+  double next_stop() const { return std::min(goal_, snapshots_.next()); }
+
+  void land(particles::Landing landing) {
+    particles::State& state = landing.state;
+    if (landing.for_impact && state.softening < 1)
+      state = step::with_softening(std::move(state), solver_.pressure(), scene_, 1);
+    go_on_with(std::move(state));
+    looks_.due(solver_.state().time);  // the next one after a whole interval, as after a restart
+    note(fmt::format("t = {:.0f} s: {}", solver_.state().time, landing.how));
+  }
+
+  void begin_late_phase() {
+    go_on_with(step::softened(solver_.state(), solver_.pressure(), scene_));
+    note(fmt::format("t = {:.0f} s: remnants are calm; sound speeds are {:g} times what they were",
+                     solver_.state().time, scene_.numerics.late_sound_speed));
+  }
+
+  fs::path numbered(long n) const {
+    return options_.directory / fmt::format("snapshot_{:04d}.hdf5", n);
+  }
+  void note(const std::string& text) const {
+    if (options_.on_note) options_.on_note(text);
+  }
+
+  step::Solver begin() {
+    const auto to_log = [this](const std::string& text) { note(text); };
+    if (auto saved = newest_checkpoint(options_.directory, scene_, to_log)) {
+      first_totals_ = initial_totals();
+      note(
+          fmt::format("going on from t = {:.0f} s, step {}", saved->state.time, saved->state.step));
+      return step::Solver(scene_, std::move(saved->state), std::move(*saved->rates),
+                          *saved->restart, std::move(saved->pressure));
+    }
+    step::Solver solver(scene_, initial::make_impact(scene_));
+    first_totals_ = step::totals(scene_, solver.state());
+    io::write_snapshot(numbered(0), {scene_, solver.state(), solver.pressure(), {}, {}});
+    return solver;
+  }
+
+  /// Of time 0, from the first snapshot or, where that is lost, from making the bodies again.
+  step::Totals initial_totals() const {
+    try {
+      return step::totals(scene_, io::read_snapshot(numbered(0)).state);
+    } catch (const std::exception& error) {
+      note(fmt::format("{}; making the initial bodies again", error.what()));
+      return step::totals(scene_, step::Solver(scene_, initial::make_impact(scene_)).state());
+    }
+  }
+
+  /// A cycle. Where it fails, the state of the last history row, which was sound, is installed.
+  void advance() {
+    try {
+      solver_.cycle(goal_);
+    } catch (const NumericalError& error) {
+      const fs::path path = options_.directory / last_good_file;
+      io::write_snapshot(path, last_good_);
+      throw NumericalError(error.kind, error.step, error.particle_id,
+                           fmt::format("{}; the last good checkpoint, of t = {:.6g} s, is {}",
+                                       error.what(), last_good_.state.time, path.string()));
+    }
+  }
+
+  void write_outputs() {
+    const StageTimer timer(solver_.stages(), Stage::output);
+    const double time = solver_.state().time;
+    if (snapshots_.due(time) && !over_)
+      io::write_snapshot(numbered(snapshots_.count()), snapshot());
+    if (histories_.due(time)) {
+      last_good_ = checkpoint();
+      if (options_.on_history) options_.on_history(snapshot(), first_totals_);
+    }
+    if (seconds_since(last_checkpoint_) >= scene_.output.checkpoint_interval_s) {
+      install_checkpoint(options_.directory, checkpoint());
+      last_checkpoint_ = Clock::now();
+    }
+  }
+
+  io::Snapshot snapshot() const { return {scene_, solver_.state(), solver_.pressure(), {}, {}}; }
+  io::Snapshot checkpoint() const {
+    return {scene_, solver_.state(), solver_.pressure(), solver_.rates(), solver_.restart()};
+  }
+  Progress progress() const {
+    const particles::State& s = solver_.state();
+    return {s.time,
+            goal_,
+            s.step,
+            solver_.dt(),
+            static_cast<double>(s.step) * static_cast<double>(s.size()),
+            seconds_since(start_)};
+  }
+
+  const Scene& scene_;
+  const RunOptions& options_;
+  step::Totals first_totals_;
+  Clock::time_point start_ = Clock::now(), last_checkpoint_ = start_;
+  step::Solver solver_;
+  Schedule snapshots_, histories_, looks_;
+  io::Snapshot last_good_;  ///< a checkpoint of the last history row
+  Ending ending_;
+  double goal_;                   ///< the run may end then, and is asked again
+  long earlier_list_builds_ = 0;  ///< of solvers before this one
+  std::optional<EndReason> over_;
+};
+
+}  // namespace
+
+RunSummary run_impact(const Scene& scene, const RunOptions& options) {
+  omp_set_num_threads(options.threads);
+  std::error_code error;
+  fs::create_directories(options.directory, error);
+  if (error)
+    throw EnvironmentError(
+        fmt::format("cannot make the folder {}: {}", options.directory.string(), error.message()));
+  return Run(scene, options).go();
+}
+
+}  // namespace eerie::run

@@ -1,0 +1,207 @@
+#include "analysis/diagrams/phase_diagram.hpp"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "analysis/diagrams/map_quantity.hpp"
+#include "analysis/diagrams/phase_layout.hpp"
+#include "analysis/diagrams/phase_script.hpp"
+#include "analysis/drawing/palette.hpp"
+#include "solver/base/error.hpp"
+#include "tests/analysis/diagrams/phase_diagram_fixture.hpp"
+
+namespace eerie::diagrams {
+namespace {
+
+using test::small_map;
+using testing::HasSubstr;
+using testing::Not;
+
+/// The error of drawing a map that was changed for the worse; nothing may be written.
+template <class Change>
+std::string refusal(Change change) {
+  PhaseDiagram map = small_map();
+  change(map);
+  try {
+    draw_phase_diagram("/nonexistent/map.png", map);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "it was drawn";
+}
+
+TEST(PhaseDiagram, ImpossibleMapsAreRefusedWithTheCell) {
+  EXPECT_THAT(refusal([](PhaseDiagram& m) { m.cells.clear(); }), HasSubstr("there is none"));
+  EXPECT_THAT(refusal([](PhaseDiagram& m) { m.cells.push_back(m.cells[1]); }),
+              HasSubstr("v_imp = 18 cm/s, theta_imp = 10 deg is there twice"));
+  EXPECT_THAT(refusal([](PhaseDiagram& m) { m.cells[0].b_over_a = 1.2; }), HasSubstr("b/a = 1.2"));
+  EXPECT_THAT(refusal([](PhaseDiagram& m) { m.cells[0].outcome = "bang"; }), HasSubstr("'bang'"));
+  EXPECT_THAT(refusal([](PhaseDiagram& m) { m.cells[0].v_imp_cm_per_s = 0 / 0.0; }),
+              HasSubstr("must be finite"));
+}
+
+TEST(PhaseDiagram, OtherExtensionsAreRefused) {
+  EXPECT_THROW(draw_phase_diagram("/nonexistent/map.gif", small_map()), InputError);
+  EXPECT_THROW(draw_phase_diagram("/nonexistent/map", small_map()), InputError);
+}
+
+std::string script(const PhaseDiagram& map, MapQuantity quantity = MapQuantity::b_over_a) {
+  return phase_script({{map}, {quantity}}).commands;
+}
+
+std::size_t count(const std::string& text, const std::string& words) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++found;
+  return found;
+}
+
+TEST(PhaseDiagram, EveryResultShowsColourValueAndClass) {
+  const std::string text = script(small_map());
+  for (const PhaseCell& cell : small_map().cells) {
+    if (!cell.has_result() || !cell.b_over_a) continue;
+    EXPECT_THAT(text, HasSubstr(drawing::hex(drawing::b_over_a_colour(*cell.b_over_a))));
+    EXPECT_THAT(text, HasSubstr("\"" + std::to_string(*cell.b_over_a).substr(0, 4) + "\""));
+  }
+  for (const char* letter : {"\"M\"", "\"M?\"", "\"G\"", "\"H\"", "\"D\""})
+    EXPECT_THAT(text, HasSubstr(letter));
+}
+
+TEST(PhaseDiagram, AResultWithoutTheNumberIsNotPaintedAsZero) {
+  EXPECT_THAT(script(small_map()),
+              Not(HasSubstr("fc rgb '" + drawing::hex(drawing::b_over_a_colour(0)) + "'")));
+  EXPECT_THAT(script(small_map()), HasSubstr("\"–\""));
+}
+
+TEST(PhaseDiagram, LegendNamesOnlyWhatTheMapShows) {
+  const std::string all = script(small_map());
+  const auto optional = {"failed",     "not run yet", "unsettled", "a smaller remnant is an EER",
+                         "v sin θ",    "stale",       "no job",    "has no such number",
+                         "hit-and-run"};
+  for (const char* words : optional) EXPECT_THAT(all, HasSubstr(words));
+  EXPECT_THAT(all, HasSubstr("v sin θ = 5.1 cm/s"));
+  EXPECT_THAT(all, Not(HasSubstr("erosion")));
+  PhaseDiagram plain = small_map();
+  plain.cells.resize(2);
+  plain.cells[0].stale = false;
+  plain.threshold_cm_per_s.reset();
+  const std::string few = script(plain);
+  for (const char* words : optional) EXPECT_THAT(few, Not(HasSubstr(words)));
+}
+
+/// What is drawn for the cells of a map, whatever the legend says.
+std::string cells_of(const PhaseDiagram& map) {
+  drawing::Canvas canvas(100, 100);
+  draw_cells(canvas, CellGrid(map), {14, 17, 9, 12, {{0, 0}, {100, 100}}}, {});
+  return canvas.commands();
+}
+
+TEST(PhaseDiagram, MissingPendingFailedUnsettledAndStaleImpactsLookDifferentFromOneAnother) {
+  // The same map but for the place at 16 cm/s and 10 deg.
+  PhaseDiagram map;
+  const PhaseCell settled{16, 10, CellState::done, 0.5, "erosion"};
+  map.cells = {settled, settled, settled};
+  map.cells[0].v_imp_cm_per_s = 15, map.cells[1].theta_imp_deg = 11;
+  map.cells[2].v_imp_cm_per_s = 15, map.cells[2].theta_imp_deg = 11;
+  std::set<std::string> looks = {cells_of(map)};
+  map.cells.push_back(settled);
+  for (const CellState state :
+       {CellState::pending, CellState::failed, CellState::unsettled, CellState::done}) {
+    map.cells.back().state = state;
+    looks.insert(cells_of(map));
+  }
+  map.cells.back().stale = true;
+  looks.insert(cells_of(map));
+  EXPECT_EQ(looks.size(), 6u);
+}
+
+TEST(PhaseDiagram, WordsThatHaveNoRoomAreLeftOut) {
+  PhaseDiagram map = small_map();
+  const std::string wide = script(map);
+  for (int v = 30; v < 60; ++v) map.cells.push_back({v + 0.5, 10, CellState::pending});
+  const std::string narrow = script(map);
+  EXPECT_THAT(wide, HasSubstr("\"0.91\""));
+  EXPECT_THAT(narrow, Not(HasSubstr("\"0.91\"")));
+  EXPECT_THAT(narrow, HasSubstr(drawing::hex(drawing::b_over_a_colour(0.91))));
+}
+
+TEST(PhaseDiagram, ClassesHaveTheirColoursAndTheirShareWhereSeedsDiffer) {
+  const std::string text = script(small_map(), MapQuantity::outcome);
+  EXPECT_THAT(text, HasSubstr(drawing::hex(outcome_colour("hit-and-run"))));
+  EXPECT_EQ(count(text, "\"75%\""), 1u);
+  EXPECT_THAT(text, Not(HasSubstr("colorbox vertical")));
+  PhaseDiagram sure = small_map();
+  sure.cells[1].class_share = 1;
+  EXPECT_THAT(script(sure, MapQuantity::outcome), Not(HasSubstr("%")));
+}
+
+TEST(PhaseDiagram, QuantitiesStandBesideTheirScale) {
+  PhaseDiagram map = small_map();
+  map.cells[0].period_h = 8, map.cells[1].period_h = 123;
+  const std::string text = script(map, MapQuantity::period);
+  EXPECT_THAT(text, HasSubstr("\"8.0\""));
+  EXPECT_THAT(text, HasSubstr("\"123\""));
+  EXPECT_THAT(text, HasSubstr("spin period, largest remnant (h)"));
+  EXPECT_THAT(text, Not(HasSubstr("b/a")));
+}
+
+TEST(PhaseFigure, HasAPanelForEachPlaceWithOneScale) {
+  PhaseDiagram other = small_map();
+  other.phi_d_deg = 50, other.threshold_cm_per_s = 7.4;
+  for (PhaseCell& cell : other.cells) cell.v_imp_cm_per_s += 10;
+  const std::string text = phase_script({{small_map(), other}}).commands;
+  EXPECT_EQ(count(text, "plot $none"), 2u);
+  EXPECT_EQ(count(text, "set colorbox vertical"), 1u);
+  EXPECT_EQ(count(text, "set xrange [13.5:34]"), 2u);
+  EXPECT_THAT(text, HasSubstr("= 40°,  v sin θ = 5.1 cm/s\""));
+  EXPECT_THAT(text, HasSubstr("= 50°,  v sin θ = 7.4 cm/s\""));
+}
+
+TEST(PhaseFigure, HasAPanelForEachQuantityWithItsOwnScale) {
+  const std::string text =
+      phase_script(
+          {{small_map()}, {MapQuantity::b_over_a, MapQuantity::m_lr, MapQuantity::outcome}})
+          .commands;
+  EXPECT_EQ(count(text, "plot $none"), 3u);
+  EXPECT_EQ(count(text, "set colorbox vertical"), 2u);
+}
+
+TEST(PhaseFigure, PanelsStandInThePageAndApart) {
+  for (std::size_t n = 1; n <= most_panels; ++n) {
+    const PhaseFigure figure{std::vector<PhaseDiagram>(n, small_map())};
+    const PhaseLayout page = phase_layout(figure, 20);
+    ASSERT_EQ(page.panels.size(), n);
+    for (std::size_t a = 0; a < n; ++a) {
+      const drawing::Area& area = page.panels[a].frame.area;
+      EXPECT_GT(area.low.y, 20);
+      EXPECT_LT(area.high.y, page.height);
+      EXPECT_GT(area.low.x, 0);
+      EXPECT_LT(area.high.x, page.width);
+      EXPECT_GT(area.width(), 130);
+      EXPECT_GT(area.height(), 100);
+      for (std::size_t b = 0; b < a; ++b) {
+        const drawing::Area& other = page.panels[b].frame.area;
+        EXPECT_TRUE(other.high.x < area.low.x || area.high.y < other.low.y) << n << ": " << a;
+      }
+    }
+  }
+}
+
+TEST(PhaseFigure, TooMuchForOnePictureIsRefused) {
+  const auto refused = [](const PhaseFigure& figure) -> std::string {
+    try {
+      draw_phase_figure("/nonexistent/map.png", figure);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "it was drawn";
+  };
+  EXPECT_THAT(refused({{small_map(), small_map()}, {MapQuantity::b_over_a, MapQuantity::m_lr}}),
+              HasSubstr("choose one quantity, or one mass ratio and friction angle"));
+  EXPECT_THAT(refused({std::vector<PhaseDiagram>(most_panels + 1, small_map())}),
+              HasSubstr("25 panels are too many for one figure, 24 are the most"));
+  EXPECT_THAT(refused({}), HasSubstr("there is none"));
+}
+
+}  // namespace
+}  // namespace eerie::diagrams

@@ -1,0 +1,119 @@
+#include "db/views/view.hpp"
+
+#include <SQLiteCpp/Database.h>
+#include <gmock/gmock.h>
+
+#include "db/jobs/jobs.hpp"
+#include "db/store/error.hpp"
+#include "tests/db/jobs/sample_jobs.hpp"
+#include "tests/io/snapshot_fixture.hpp"
+
+namespace eerie::db {
+namespace {
+using test::sample_jobs;
+using test::sample_result;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// Four results, v = 15 to 18: b/a 0.2 to 0.5, the last of another class and without a spin; two
+/// remnants each. A sweep "first" has the first two jobs alone.
+class Views : public testing::Test {
+ protected:
+  Views() {
+    const std::vector<NewJob> jobs = sample_jobs(4);
+    first = add_sweep(connection, "first", "{}", std::span(jobs).first(2)).sweep;
+    add_sweep(connection, "all", "{}", jobs);
+    for (const Job& job : db::jobs(connection, {})) {
+      const double shape = 0.2 + (job.v_imp_cm_per_s - 15) / 10;
+      Result result = sample_result(shape);
+      if (job.v_imp_cm_per_s == 18) result.outcome_class = "hit-and-run", result.period_h = {};
+      begin_attempts(connection, std::vector{Start{job.id, "here", "1", "0.1.0"}});
+      finish(connection, job.id, test::ended(ExitReason::finished), result,
+             std::vector<Remnant>{Remnant{.rank = 1, .mass_kg = 10 * shape, .b_over_a = shape},
+                                  Remnant{.rank = 2, .mass_kg = shape, .b_over_a = 0.9}});
+    }
+  }
+  std::vector<double> speeds(ViewQuery query) {
+    query.columns = {"v_imp_cm_per_s"};
+    std::vector<double> found;
+    for (const auto& row : rows(connection, query).rows) found.push_back(std::get<double>(row[0]));
+    return found;
+  }
+  std::vector<double> speeds_where(const Condition& condition) {
+    return speeds({.conditions = {condition}});
+  }
+
+  test::TemporaryFolder folder;
+  Connection connection{folder / "a.sqlite", Access::write};
+  std::int64_t first = 0;
+};
+
+TEST_F(Views, FindRowsByRangesWordsAndMissingValues) {
+  EXPECT_THAT(speeds({}), ElementsAre(15, 16, 17, 18));
+  EXPECT_THAT(speeds_where({.column = "b_over_a", .lo = 0.25, .hi = 0.4}), ElementsAre(16, 17));
+  EXPECT_THAT(speeds_where({.column = "b_over_a", .hi = 0.25}), ElementsAre(15));
+  EXPECT_THAT(speeds_where({.column = "class", .words = {"hit*"}}), ElementsAre(18));
+  EXPECT_THAT(speeds_where({.column = "class", .words = {"hit", "*merging"}}),
+              ElementsAre(15, 16, 17));
+  EXPECT_THAT(speeds_where({.column = "period_h", .empty = true}), ElementsAre(18));
+  EXPECT_THAT(speeds({.conditions = {{.column = "b_over_a", .lo = 0.3},
+                                     {.column = "class", .words = {"perfect-merging"}}}}),
+              ElementsAre(16, 17));
+}
+
+TEST_F(Views, TakeTheContraryOfAConditionMissingValuesIncluded) {
+  EXPECT_THAT(speeds_where({.column = "class", .words = {"hit*"}, .negated = true}),
+              ElementsAre(15, 16, 17));
+  EXPECT_THAT(speeds_where({.column = "period_h", .lo = 0, .negated = true}), ElementsAre(18));
+  EXPECT_THAT(speeds_where({.column = "period_h", .empty = true, .negated = true}),
+              ElementsAre(15, 16, 17));
+}
+
+TEST_F(Views, SortMissingValuesLastAndStopAtTheLimit) {
+  EXPECT_THAT(speeds({.sort = {{"v_imp_cm_per_s", true}}, .limit = 2}), ElementsAre(18, 17));
+  EXPECT_THAT(speeds({.sort = {{"period_h", false}, {"b_over_a", true}}}),
+              ElementsAre(17, 16, 15, 18));
+  EXPECT_THAT(speeds({.sort = {{"period_h", true}}}).back(), 18);
+}
+
+TEST_F(Views, RemnantsMayBeChosenByWhatTheirImpactIs) {
+  const ViewRows found =
+      rows(connection,
+           {.view = View::remnants,
+            .columns = {"rank", "v_imp_cm_per_s"},
+            .conditions = {{.column = "class", .words = {"hit*"}}, {.column = "rank", .lo = 2}}});
+  ASSERT_EQ(found.rows.size(), 1u);
+  EXPECT_THAT(found.rows[0], ElementsAre(Cell(std::int64_t{2}), Cell(18.0)));
+  EXPECT_TRUE(is_condition_column(connection, View::remnants, "class"));
+  EXPECT_FALSE(is_condition_column(connection, View::maps, "end_reason"));
+}
+
+TEST_F(Views, KnowTheJobsOfASweep) {
+  EXPECT_THAT(speeds({.sweeps = {first}}), ElementsAre(15, 16));
+  EXPECT_THAT(speeds({.sweeps = {first + 100}}), IsEmpty());
+  EXPECT_THROW(rows(connection, {.view = View::maps, .sweeps = {first}}), Error);
+}
+
+TEST_F(Views, TakeNoTextForAColumnThatIsNone) {
+  for (const char* name : {"nothing", "b_over_a\" OR 1=1 --", "1", ""}) {
+    EXPECT_THROW(rows(connection, {.columns = {name}}), Error) << name;
+    EXPECT_THROW(rows(connection, {.sort = {{name}}}), Error) << name;
+    EXPECT_THROW(rows(connection, {.conditions = {{.column = name, .lo = 0}}}), Error) << name;
+  }
+  EXPECT_THAT(speeds_where({.column = "class", .words = {"x' OR '1'='1"}}), IsEmpty());
+}
+
+TEST_F(Views, ShowAColumnOfALaterSchemaByThemselves) {
+  connection.write([](SQLite::Database& sql) {
+    sql.exec(
+        "DROP VIEW maps;"
+        "CREATE VIEW maps AS SELECT q, phi_d_deg, v_imp_cm_per_s, 45.5 AS obliquity_deg FROM jobs");
+  });
+  const ViewRows found = rows(connection, {.view = View::maps, .limit = 1});
+  ASSERT_TRUE(found.find("obliquity_deg"));
+  EXPECT_EQ(found.rows.at(0).at(*found.find("obliquity_deg")), Cell(45.5));
+  EXPECT_FALSE(found.find("theta_imp_deg"));
+}
+
+}  // namespace
+}  // namespace eerie::db
