@@ -10,11 +10,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "analysis/ending/may_fly.hpp"
-#include "analysis/ending/steadiness.hpp"
-#include "analysis/remnants/meetings.hpp"
 #include "campaign/job_folder/heartbeat.hpp"
-#include "campaign/job_folder/history.hpp"
 #include "campaign/job_folder/job_directory.hpp"
 #include "campaign/job_folder/log.hpp"
 #include "campaign/job_folder/provenance.hpp"
@@ -25,11 +21,11 @@
 #include "campaign/sweeps/job.hpp"
 #include "campaign/text/json_file.hpp"
 #include "campaign/worker/reanalysis.hpp"
+#include "campaign/worker/watch.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 #include "solver/base/simd.hpp"
 #include "solver/scene/guards.hpp"
-#include "solver/step/diagnosis.hpp"
 
 namespace eerie::worker {
 namespace fs = std::filesystem;
@@ -43,27 +39,6 @@ bool die_with(long parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   return ::getppid() == parent;
 }
-
-/// Whether a stop was asked for: by a signal, or, from another host, by the file `stop` in the
-/// job directory, looked for once a second.
-class StopRequest {
- public:
-  explicit StopRequest(fs::path file) : file_(std::move(file)) {}
-
-  bool operator()() {
-    if (process::stop_requests() > 0) return true;
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_ < std::chrono::seconds(1)) return found_;
-    last_ = now;
-    std::error_code ignored;
-    return found_ = fs::exists(file_, ignored);
-  }
-
- private:
-  fs::path file_;
-  std::chrono::steady_clock::time_point last_{};
-  bool found_ = false;
-};
 
 /// Installs progress.json about once a second of wall time.
 class ProgressWriter {
@@ -90,35 +65,6 @@ class ProgressWriter {
   double expected_end_s_;
   std::chrono::steady_clock::time_point last_{};
 };
-
-/// The remnants of the state that was asked about last: one look asks more than one question.
-class LatestRemnants {
- public:
-  const remnants::Remnants& of(const particles::State& state) {
-    if (state.time != time_) found_ = remnants::find_remnants(state), time_ = state.time;
-    return found_;
-  }
-
- private:
-  double time_ = -1;
-  remnants::Remnants found_;
-};
-
-/// Everything that a row of the history says of a state.
-job_folder::HistoryRow full_row(const io::Snapshot& snapshot, const step::Totals& start) {
-  job_folder::HistoryRow row =
-      job_folder::history_row(snapshot.state.time, remnants::analyse(snapshot));
-  const step::Totals t = step::totals(snapshot.scene, snapshot.state);
-  row.kinetic_energy_J = t.kinetic_energy, row.potential_energy_J = t.potential_energy;
-  row.internal_energy_J = t.internal_energy, row.viscous_heat_J = t.viscous_heat;
-  row.friction_heat_J = t.friction_heat, row.shear_energy_J = t.shear_energy;
-  row.dL_over_L = job_folder::angular_momentum_drift(snapshot.scene, start, t).value_or(0);
-  const step::Diagnosis d = step::diagnose(snapshot);
-  row.eos_pressure_Pa = d.eos_pressure, row.viscous_pressure_Pa = d.viscous_pressure;
-  row.pressureless = d.pressureless, row.density_kg_per_m3 = d.density;
-  row.summed_density_kg_per_m3 = d.summed_density, row.density_error = d.density_error;
-  return row;
-}
 
 /// The same scene would fail again: that is the verdict on the job.
 int fail(const job_folder::JobDirectory& directory, const job_folder::Failure& failure) {
@@ -205,48 +151,11 @@ int attempt(const job_folder::JobDirectory& directory, int threads) {
 
 Computed compute(const Scene& scene, const fs::path& directory, int threads, long max_steps,
                  const std::function<void(const run::Progress&)>& on_progress) {
-  job_folder::History history(job_folder::JobDirectory{directory}.history());
-  run::RunOptions options;
-  options.directory = directory;
-  options.threads = threads;
-  options.max_steps = max_steps;
-  options.on_progress = on_progress;
-  options.on_history = [&](const io::Snapshot& snapshot, const step::Totals& start) {
-    history.add({full_row(snapshot, start)});
-  };
-  LatestRemnants latest;
-  options.will_meet = [&](const io::Snapshot& snapshot) {
-    return remnants::will_meet(latest.of(snapshot.state).remnants, scene.end.settled.fall_back);
-  };
-  job_folder::RowLog<ending::RemnantLook> looks(job_folder::JobDirectory{directory}.remnants());
-  options.settled = [&](const io::Snapshot& snapshot) {
-    const remnants::Remnants& found = latest.of(snapshot.state);
-    looks.add(ending::look(snapshot.state.time, found, scene.end.settled));
-    const double mass = snapshot.state.mass * static_cast<double>(snapshot.state.size());
-    return ending::encounters(found, mass, ending::horizon(scene.end, snapshot.state.time),
-                              scene.end.settled)
-               .empty() &&
-           ending::unsteadiness(looks.rows(), scene.end.settled).empty();
-  };
-  options.calm = [&](const io::Snapshot& snapshot) {
-    const remnants::Remnants& found = latest.of(snapshot.state);
-    if (scene.numerics.rigid_flight && ending::impact_ahead(found, scene.end.settled)) return false;
-    return ending::liveliness(looks.rows(), found, ending::horizon(scene.end, snapshot.state.time),
-                              scene.numerics.late_sound_speed * bulk_sound_speed(scene),
-                              scene.end.settled)
-        .empty();
-  };
-  options.stop = StopRequest(job_folder::JobDirectory{directory}.stop());
-  if (scene.numerics.rigid_flight)
-    options.fly = [&](const io::Snapshot& snapshot, double until) {
-      return ending::flight_from(snapshot, until, looks.rows(), latest.of(snapshot.state),
-                                 options.stop);
-    };
-  options.on_note = [](const std::string& note) { spdlog::info("{}", note); };
+  const job_folder::JobDirectory folder{directory};
+  Watch watch(scene, folder);
   Computed computed;
-  computed.summary = run::run_impact(scene, options);
-  computed.analysis =
-      analyse_run(job_folder::JobDirectory{directory}, computed.summary.last, history.rows());
+  computed.summary = run::run_impact(scene, watch.options(threads, max_steps, on_progress));
+  computed.analysis = analyse_run(folder, computed.summary.last, watch.history());
   return computed;
 }
 

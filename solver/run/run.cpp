@@ -21,6 +21,10 @@ namespace {
 
 constexpr const char* last_good_file = "last_good.hdf5";
 
+fs::path numbered(const fs::path& directory, long n) {
+  return directory / fmt::format("snapshot_{:04d}.hdf5", n);
+}
+
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
@@ -32,9 +36,11 @@ double seconds_since(Clock::time_point start) {
 class Schedule {
  public:
   Schedule(double interval, double now) : interval_(interval), done_(passed(now)) {}
-  bool due(double now) {
-    const long n = passed(now);
-    return n > done_ ? (done_ = n, true) : false;
+  /// Goes on to `now`; whether an output fell due on the way.
+  bool pass(double now) {
+    const long before = done_;
+    done_ = std::max(done_, passed(now));
+    return done_ > before;
   }
   long count() const { return done_; }
   double next() const {
@@ -80,23 +86,70 @@ class Ending {
   const std::function<bool(const io::Snapshot&)>& will_meet_;
 };
 
+/// What a run begins with.
+struct Beginning {
+  step::Solver solver;
+  step::Totals first;  ///< at time 0
+};
+
+/// Makes the bodies of a scene, or goes on from a checkpoint.
+class Begin {
+ public:
+  Begin(const Scene& scene, const RunOptions& options) : scene_(scene), options_(options) {}
+
+  Beginning operator()() const {
+    const auto to_log = [this](const std::string& text) { note(text); };
+    if (auto saved = newest_checkpoint(options_.directory, scene_, to_log)) {
+      const step::Totals first = initial_totals();
+      note(
+          fmt::format("going on from t = {:.0f} s, step {}", saved->state.time, saved->state.step));
+      return {step::Solver(scene_, std::move(saved->state), std::move(*saved->rates),
+                           *saved->restart, std::move(saved->pressure)),
+              first};
+    }
+    step::Solver solver(scene_, initial::make_impact(scene_));
+    const step::Totals first = totals(scene_, solver.state());
+    write_snapshot(numbered(options_.directory, 0),
+                   {scene_, solver.state(), solver.pressure(), {}, {}});
+    return {std::move(solver), first};
+  }
+
+ private:
+  /// Of time 0, from the first snapshot or, where that is lost, from making the bodies again.
+  step::Totals initial_totals() const {
+    try {
+      return totals(scene_, io::read_snapshot(numbered(options_.directory, 0)).state);
+    } catch (const std::exception& error) {
+      note(fmt::format("{}; making the initial bodies again", error.what()));
+      return totals(scene_, step::Solver(scene_, initial::make_impact(scene_)).state());
+    }
+  }
+  void note(const std::string& text) const {
+    if (options_.on_note) options_.on_note(text);
+  }
+
+  const Scene& scene_;
+  const RunOptions& options_;
+};
+
 class Run {
  public:
-  Run(const Scene& scene, const RunOptions& options)
+  Run(const Scene& scene, const RunOptions& options, Beginning beginning)
       : scene_(scene),
         options_(options),
-        solver_(begin()),
+        first_totals_(beginning.first),
+        solver_(std::move(beginning.solver)),
         snapshots_(scene.output.snapshot_interval_s, solver_.state().time),
         histories_(scene.output.history_interval_s, solver_.state().time),
         looks_(scene.end.settled.window_s / looks_per_window, solver_.state().time),
         last_good_(checkpoint()),
         ending_(scene.end, options.will_meet),
-        goal_(ending_.next(solver_.state().time)),
-        over_(reason_to_end()) {}
+        goal_(ending_.next(solver_.state().time)) {}
 
   RunSummary go() {
     const long first_step = solver_.state().step;
     RunEnd end = RunEnd::finished;
+    over_ = reason_to_end();
     while (!over_) {
       if (options_.max_steps > 0 && solver_.state().step - first_step >= options_.max_steps) {
         end = RunEnd::step_limit;
@@ -133,16 +186,16 @@ class Run {
   }
 
  private:
-  /// Asked after every cycle; looks at the remnants when a look is due and at the goals alone.
+  /// Asked at the start and after every cycle; looks at the remnants when a look is due and at the
+  /// goals alone.
   std::optional<EndReason> reason_to_end() {
-    if (looks_.due(solver_.state().time)) {
-      const io::Snapshot now_there = snapshot();
-      if (options_.settled && options_.settled(now_there)) return EndReason::settled;
-      if (scene_.numerics.late_sound_speed < 1 && solver_.state().softening == 1 && options_.calm &&
-          options_.calm(now_there))
-        begin_late_phase();
-      else if (options_.fly)
-        if (auto landing = options_.fly(now_there, next_stop())) land(*std::move(landing));
+    if (looks_.pass(solver_.state().time) && options_.look) {
+      const bool may_soften =
+          scene_.numerics.late_sound_speed < 1 && solver_.state().softening == 1;
+      LookAnswer answer = options_.look(snapshot(), {may_soften, next_stop()});
+      if (std::holds_alternative<End>(answer)) return EndReason::settled;
+      if (std::holds_alternative<Soften>(answer)) begin_late_phase();
+      if (auto* fly = std::get_if<Fly>(&answer)) land(std::move(fly->landing));
     }
     const double now = solver_.state().time;
     if (now < goal_ * (1 - Ending::rounding)) return std::nullopt;
@@ -167,7 +220,7 @@ class Run {
     if (landing.for_impact && state.softening < 1)
       state = step::with_softening(std::move(state), solver_.pressure(), scene_, 1);
     go_on_with(std::move(state));
-    looks_.due(solver_.state().time);  // the next one after a whole interval, as after a restart
+    looks_.pass(solver_.state().time);  // the next one after a whole interval, as after a restart
     note(fmt::format("t = {:.0f} s: {}", solver_.state().time, landing.how));
   }
 
@@ -177,36 +230,8 @@ class Run {
                      solver_.state().time, scene_.numerics.late_sound_speed));
   }
 
-  fs::path numbered(long n) const {
-    return options_.directory / fmt::format("snapshot_{:04d}.hdf5", n);
-  }
   void note(const std::string& text) const {
     if (options_.on_note) options_.on_note(text);
-  }
-
-  step::Solver begin() {
-    const auto to_log = [this](const std::string& text) { note(text); };
-    if (auto saved = newest_checkpoint(options_.directory, scene_, to_log)) {
-      first_totals_ = initial_totals();
-      note(
-          fmt::format("going on from t = {:.0f} s, step {}", saved->state.time, saved->state.step));
-      return step::Solver(scene_, std::move(saved->state), std::move(*saved->rates),
-                          *saved->restart, std::move(saved->pressure));
-    }
-    step::Solver solver(scene_, initial::make_impact(scene_));
-    first_totals_ = step::totals(scene_, solver.state());
-    io::write_snapshot(numbered(0), {scene_, solver.state(), solver.pressure(), {}, {}});
-    return solver;
-  }
-
-  /// Of time 0, from the first snapshot or, where that is lost, from making the bodies again.
-  step::Totals initial_totals() const {
-    try {
-      return step::totals(scene_, io::read_snapshot(numbered(0)).state);
-    } catch (const std::exception& error) {
-      note(fmt::format("{}; making the initial bodies again", error.what()));
-      return step::totals(scene_, step::Solver(scene_, initial::make_impact(scene_)).state());
-    }
   }
 
   /// A cycle. Where it fails, the state of the last history row, which was sound, is installed.
@@ -225,9 +250,9 @@ class Run {
   void write_outputs() {
     const StageTimer timer(solver_.stages(), Stage::output);
     const double time = solver_.state().time;
-    if (snapshots_.due(time) && !over_)
-      io::write_snapshot(numbered(snapshots_.count()), snapshot());
-    if (histories_.due(time)) {
+    if (snapshots_.pass(time) && !over_)
+      io::write_snapshot(numbered(options_.directory, snapshots_.count()), snapshot());
+    if (histories_.pass(time)) {
       last_good_ = checkpoint();
       if (options_.on_history) options_.on_history(snapshot(), first_totals_);
     }
@@ -273,7 +298,7 @@ RunSummary run_impact(const Scene& scene, const RunOptions& options) {
   if (error)
     throw EnvironmentError(
         fmt::format("cannot make the folder {}: {}", options.directory.string(), error.message()));
-  return Run(scene, options).go();
+  return Run(scene, options, Begin(scene, options)()).go();
 }
 
 }  // namespace eerie::run

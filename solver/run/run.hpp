@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "solver/base/stages.hpp"
 #include "solver/io/snapshot.hpp"
@@ -44,6 +45,26 @@ struct RunSummary {
   int threads = 1;
 };
 
+struct LookQuestion {
+  bool may_soften;  ///< whether the late phase (numerics.late_sound_speed) could begin
+  double until;     ///< s: a flight may last no longer
+};
+
+// What a look at the remnants answers.
+
+/// Matter goes on moving.
+struct GoOn {};
+/// Remnants hardly move: from now on sound speeds are numerics.late_sound_speed times what they
+/// were.
+struct Soften {};
+/// Nothing changes but places until a later time: the run goes on from there.
+struct Fly {
+  particles::Landing landing;
+};
+/// Nothing changes any more.
+struct End {};
+using LookAnswer = std::variant<GoOn, Soften, Fly, End>;
+
 /// What the caller wants of a run besides its end.
 struct RunOptions {
   std::filesystem::path directory;  ///< checkpoint, snapshots and final state are installed here
@@ -52,17 +73,10 @@ struct RunOptions {
   std::function<void(const Progress&)> on_progress;  ///< after every cycle of steps; must be cheap
   /// Every output.history_interval_s, with the totals at time 0.
   std::function<void(const io::Snapshot&, const step::Totals& first)> on_history;
+  /// Asked `looks_per_window` times in end.settled.window_s, from the start on.
+  std::function<LookAnswer(const io::Snapshot&, const LookQuestion&)> look;
   /// Whether remnants will meet; asked from end.time_s on where end.latest_s is later.
   std::function<bool(const io::Snapshot&)> will_meet;
-  /// Whether remnants hardly move: from then on sound speeds are numerics.late_sound_speed times
-  /// what they were. Asked when `settled` is.
-  std::function<bool(const io::Snapshot&)> calm;
-  /// Where nothing changes but places, the state at a later time, `until` at the latest; nothing
-  /// where matter has to be computed. Asked when `calm` is, after it.
-  std::function<std::optional<particles::Landing>(const io::Snapshot&, double until)> fly;
-  /// Whether nothing changes any more; asked `looks_per_window` times in end.settled.window_s,
-  /// from the start on.
-  std::function<bool(const io::Snapshot&)> settled;
   std::function<bool()> stop;  ///< asked after every cycle; true: checkpoint and return
   std::function<void(const std::string&)> on_note;  ///< a sentence for the log
 };

@@ -299,9 +299,10 @@ TEST(Run, EndsOnceItHasSettledWithTheSameBitsAndTheSameStepsAsOneThatGoesOn) {
   const Scene settling = short_impact({{"end", {{"time_s", 60}, {"settled", {{"window_s", 40}}}}}});
   RunOptions options;
   std::vector<double> looks;
-  options.settled = [&](const io::Snapshot& s) {
+  options.look = [&](const io::Snapshot& s, const LookQuestion&) -> LookAnswer {
     looks.push_back(s.state.time);
-    return s.state.time > 32;
+    if (s.state.time > 32) return End{};
+    return GoOn{};
   };
   const TemporaryFolder whole, pieces;
   const RunSummary ended = run_in(whole, settling, options).summary;
@@ -329,7 +330,9 @@ TEST(Run, EndsOnceItHasSettledWithTheSameBitsAndTheSameStepsAsOneThatGoesOn) {
 TEST(Run, DoesNotLookAtRemnantsWhereSettlingIsOff) {
   const Scene scene = short_impact({{"end", {{"time_s", 30}}}});
   RunOptions options;
-  options.settled = [](const io::Snapshot&) -> bool { throw std::logic_error("looked"); };
+  options.look = [](const io::Snapshot&, const LookQuestion&) -> LookAnswer {
+    throw std::logic_error("looked");
+  };
   const TemporaryFolder folder;
   const RunSummary summary = run_in(folder, scene, options).summary;
   EXPECT_EQ(summary.reason, EndReason::end_time);

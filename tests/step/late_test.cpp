@@ -29,7 +29,11 @@ Scene late_impact(const json& more = json::object()) {
 
 run::RunOptions calm_from(double time) {
   run::RunOptions options;
-  options.calm = [time](const io::Snapshot& s) { return s.state.time > time; };
+  options.look = [time](const io::Snapshot& s,
+                        const run::LookQuestion& question) -> run::LookAnswer {
+    if (question.may_soften && s.state.time > time) return run::Soften{};
+    return run::GoOn{};
+  };
   return options;
 }
 

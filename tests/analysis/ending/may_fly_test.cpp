@@ -32,14 +32,14 @@ Scene flying_impact() {
 /// Flies 300 s from the first look after 20 s on, while matter is soft since 10 s.
 run::RunOptions flight_at_20s() {
   run::RunOptions options;
-  options.calm = [](const io::Snapshot& s) { return s.state.time > 10 && s.state.time < 20; };
-  options.fly = [](const io::Snapshot& s, double until) -> std::optional<particles::Landing> {
-    if (s.state.time < 20 || s.state.time > 100) return std::nullopt;
+  options.look = [](const io::Snapshot& s, const run::LookQuestion& question) -> run::LookAnswer {
+    if (question.may_soften && s.state.time > 10 && s.state.time < 20) return run::Soften{};
+    if (s.state.time < 20 || s.state.time > 100) return run::GoOn{};
     flight::FlightPlan plan;
-    plan.until_s = std::min(until, s.state.time + 300);
+    plan.until_s = std::min(question.until, s.state.time + 300);
     plan.spacing = std::cbrt(s.state.mass / 2700);
     plan.heavy = plan.most_landed = std::numeric_limits<double>::infinity();
-    return particles::Landing{flight::fly(s.state, plan).state, true, "a test"};
+    return run::Fly{{flight::fly(s.state, plan).state, true, "a test"}};
   };
   return options;
 }

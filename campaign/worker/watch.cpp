@@ -1,0 +1,92 @@
+#include "campaign/worker/watch.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <utility>
+
+#include "analysis/ending/may_fly.hpp"
+#include "analysis/remnants/analysis.hpp"
+#include "analysis/remnants/meetings.hpp"
+#include "campaign/job_folder/result_file.hpp"
+#include "solver/step/diagnosis.hpp"
+
+namespace eerie::worker {
+
+namespace {
+
+/// Everything that a row of the history says of a state.
+job_folder::HistoryRow full_row(const io::Snapshot& snapshot, const step::Totals& start) {
+  job_folder::HistoryRow row =
+      job_folder::history_row(snapshot.state.time, remnants::analyse(snapshot));
+  const step::Totals t = step::totals(snapshot.scene, snapshot.state);
+  row.kinetic_energy_J = t.kinetic_energy, row.potential_energy_J = t.potential_energy;
+  row.internal_energy_J = t.internal_energy, row.viscous_heat_J = t.viscous_heat;
+  row.friction_heat_J = t.friction_heat, row.shear_energy_J = t.shear_energy;
+  row.dL_over_L = job_folder::angular_momentum_drift(snapshot.scene, start, t).value_or(0);
+  const step::Diagnosis d = step::diagnose(snapshot);
+  row.eos_pressure_Pa = d.eos_pressure, row.viscous_pressure_Pa = d.viscous_pressure;
+  row.pressureless = d.pressureless, row.density_kg_per_m3 = d.density;
+  row.summed_density_kg_per_m3 = d.summed_density, row.density_error = d.density_error;
+  return row;
+}
+
+}  // namespace
+
+Watch::Watch(const Scene& scene, const job_folder::JobDirectory& folder)
+    : scene_(scene),
+      folder_(folder),
+      stop_(folder.stop()),
+      history_(folder.history()),
+      looks_(folder.remnants()) {}
+
+run::RunOptions Watch::options(int threads, long max_steps,
+                               std::function<void(const run::Progress&)> on_progress) {
+  run::RunOptions options;
+  options.directory = folder_.path;
+  options.threads = threads;
+  options.max_steps = max_steps;
+  options.on_progress = std::move(on_progress);
+  options.on_history = [this](const io::Snapshot& snapshot, const step::Totals& start) {
+    history_.add({full_row(snapshot, start)});
+  };
+  options.look = [this](const io::Snapshot& snapshot, const run::LookQuestion& question) {
+    return look(snapshot, question);
+  };
+  options.will_meet = [this](const io::Snapshot& snapshot) {
+    return remnants::will_meet(remnants::find_remnants(snapshot.state).remnants,
+                               scene_.end.settled.fall_back);
+  };
+  options.stop = [this] { return stop_(); };
+  options.on_note = [](const std::string& note) { spdlog::info("{}", note); };
+  return options;
+}
+
+run::LookAnswer Watch::look(const io::Snapshot& snapshot, const run::LookQuestion& question) {
+  const remnants::Remnants found = remnants::find_remnants(snapshot.state);
+  looks_.add(ending::look(snapshot.state.time, found, scene_.end.settled));
+  if (is_settled(snapshot, found)) return run::End{};
+  if (question.may_soften && is_calm(snapshot, found)) return run::Soften{};
+  if (scene_.numerics.rigid_flight)
+    if (auto landing = ending::flight_from(snapshot, question.until, looks_.rows(), found,
+                                           [this] { return stop_(); }))
+      return run::Fly{*std::move(landing)};
+  return run::GoOn{};
+}
+
+bool Watch::is_settled(const io::Snapshot& snapshot, const remnants::Remnants& found) const {
+  const double mass = snapshot.state.mass * static_cast<double>(snapshot.state.size());
+  return ending::encounters(found, mass, ending::horizon(scene_.end, snapshot.state.time),
+                            scene_.end.settled)
+             .empty() &&
+         ending::unsteadiness(looks_.rows(), scene_.end.settled).empty();
+}
+
+bool Watch::is_calm(const io::Snapshot& snapshot, const remnants::Remnants& found) const {
+  if (scene_.numerics.rigid_flight && ending::impact_ahead(found, scene_.end.settled)) return false;
+  return ending::liveliness(looks_.rows(), found, ending::horizon(scene_.end, snapshot.state.time),
+                            scene_.numerics.late_sound_speed * bulk_sound_speed(scene_),
+                            scene_.end.settled)
+      .empty();
+}
+
+}  // namespace eerie::worker

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "analysis/ending/steadiness.hpp"
+#include "analysis/remnants/remnants.hpp"
+#include "campaign/job_folder/history.hpp"
+#include "campaign/job_folder/job_directory.hpp"
+#include "campaign/worker/stop_request.hpp"
+#include "solver/run/run.hpp"
+
+namespace eerie::worker {
+
+/// Watches the run of one impact: keeps its history and says when it may end, soften or fly.
+class Watch {
+ public:
+  /// Goes on from the history and the looks that an earlier attempt left in the folder.
+  Watch(const Scene& scene, const job_folder::JobDirectory& folder);
+
+  /// What to run the impact with; they refer to this object.
+  run::RunOptions options(int threads, long max_steps,
+                          std::function<void(const run::Progress&)> on_progress);
+
+  const std::vector<job_folder::HistoryRow>& history() const { return history_.rows(); }
+
+ private:
+  run::LookAnswer look(const io::Snapshot& snapshot, const run::LookQuestion& question);
+  bool is_settled(const io::Snapshot& snapshot, const remnants::Remnants& found) const;
+  bool is_calm(const io::Snapshot& snapshot, const remnants::Remnants& found) const;
+
+  const Scene& scene_;
+  job_folder::JobDirectory folder_;
+  StopRequest stop_;
+  job_folder::History history_;
+  job_folder::RowLog<ending::RemnantLook> looks_;
+};
+
+}  // namespace eerie::worker
