@@ -7,6 +7,7 @@
 #include "campaign/catalogue/quantities.hpp"
 #include "campaign/text/csv.hpp"
 #include "db/jobs/jobs.hpp"
+#include "db/views/query.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie::catalogue {

@@ -8,6 +8,8 @@
 
 #include "analysis/paper/impact_run.hpp"
 #include "db/jobs/jobs.hpp"
+#include "db/views/query.hpp"
+#include "db/views/view.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie::catalogue {

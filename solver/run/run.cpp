@@ -108,9 +108,9 @@ class Begin {
               first};
     }
     step::Solver solver(scene_, initial::make_impact(scene_));
-    const step::Totals first = totals(scene_, solver.state());
-    write_snapshot(numbered(options_.directory, 0),
-                   {scene_, solver.state(), solver.pressure(), {}, {}});
+    const step::Totals first = step::totals(scene_, solver.state());
+    io::write_snapshot(numbered(options_.directory, 0),
+                       {scene_, solver.state(), solver.pressure(), {}, {}});
     return {std::move(solver), first};
   }
 
@@ -118,10 +118,10 @@ class Begin {
   /// Of time 0, from the first snapshot or, where that is lost, from making the bodies again.
   step::Totals initial_totals() const {
     try {
-      return totals(scene_, io::read_snapshot(numbered(options_.directory, 0)).state);
+      return step::totals(scene_, io::read_snapshot(numbered(options_.directory, 0)).state);
     } catch (const std::exception& error) {
       note(fmt::format("{}; making the initial bodies again", error.what()));
-      return totals(scene_, step::Solver(scene_, initial::make_impact(scene_)).state());
+      return step::totals(scene_, step::Solver(scene_, initial::make_impact(scene_)).state());
     }
   }
   void note(const std::string& text) const {

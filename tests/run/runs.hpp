@@ -23,18 +23,18 @@ inline Scene short_impact(const nlohmann::json& changes = nlohmann::json::object
 
 /// run_impact in `folder`, with everything that it said and the times of its history.
 struct Told {
-  RunSummary summary;
+  run::RunSummary summary;
   std::vector<std::string> notes;
   std::vector<double> history;
 };
-inline Told run_in(const TemporaryFolder& folder, const Scene& scene, RunOptions options = {}) {
+inline Told run_in(const TemporaryFolder& folder, const Scene& scene, run::RunOptions options = {}) {
   Told told;
   options.directory = folder.path();
   options.on_note = [&](const std::string& text) { told.notes.push_back(text); };
   options.on_history = [&](const io::Snapshot& s, const step::Totals&) {
     told.history.push_back(s.state.time);
   };
-  told.summary = run_impact(scene, options);
+  told.summary = run::run_impact(scene, options);
   return told;
 }
 

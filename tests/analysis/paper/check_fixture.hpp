@@ -6,15 +6,15 @@
 
 namespace eerie::test {
 
-inline const Fact& fact_named(const std::string& name) {
-  for (const Fact& fact : paper_facts())
+inline const paper::Fact& fact_named(const std::string& name) {
+  for (const paper::Fact& fact : paper::paper_facts())
     if (fact.name == name) return fact;
   throw std::logic_error("no fact " + name);
 }
 
 /// A run whose largest remnant has this b/a; what else it is, is that of a clean merger.
-inline ImpactRun run_with(double b_over_a, std::int64_t seed = 1) {
-  ImpactRun run;
+inline paper::ImpactRun run_with(double b_over_a, std::int64_t seed = 1) {
+  paper::ImpactRun run;
   run.v_imp_cm_per_s = 20, run.theta_imp_deg = 15;
   run.settings = {1000, "survey", "survey"};
   run.seed = seed;
@@ -27,10 +27,12 @@ inline ImpactRun run_with(double b_over_a, std::int64_t seed = 1) {
 }
 
 /// One run at each point of a fact.
-inline std::vector<ImpactRun> runs_of(const Fact& fact,
-                                      const std::function<ImpactRun(const ImpactPoint&)>& run_at) {
-  std::vector<ImpactRun> runs;
-  for (const ImpactPoint& point : fact.point ? std::vector{*fact.point} : points_of(fact.grids)) {
+inline std::vector<paper::ImpactRun> runs_of(
+    const paper::Fact& fact,
+    const std::function<paper::ImpactRun(const paper::ImpactPoint&)>& run_at) {
+  std::vector<paper::ImpactRun> runs;
+  for (const paper::ImpactPoint& point :
+       fact.point ? std::vector{*fact.point} : paper::points_of(fact.grids)) {
     runs.push_back(run_at(point));
     runs.back().q = fact.q, runs.back().phi_d_deg = fact.phi_d_deg;
     runs.back().v_imp_cm_per_s = point.v_imp_cm_per_s;
@@ -40,8 +42,8 @@ inline std::vector<ImpactRun> runs_of(const Fact& fact,
 }
 
 /// The reference impact with these b/a, one per seed.
-inline std::vector<ImpactRun> seeds_with(const std::vector<double>& b_over_a) {
-  std::vector<ImpactRun> runs;
+inline std::vector<paper::ImpactRun> seeds_with(const std::vector<double>& b_over_a) {
+  std::vector<paper::ImpactRun> runs;
   for (const double value : b_over_a)
     runs.push_back(run_with(value, static_cast<std::int64_t>(runs.size() + 1)));
   return runs;

@@ -55,10 +55,10 @@ inline remnants::Analysis sample_analysis() {
 }
 
 /// What a worker leaves behind when all went well.
-inline void install_result(const JobDirectory& directory, const Scene& scene) {
+inline void install_result(const job_folder::JobDirectory& directory, const Scene& scene) {
   std::filesystem::create_directories(directory.path);
   install_text(directory.result(),
-               result_json(scene, sample_summary(scene), sample_analysis()).dump());
+               job_folder::result_json(scene, sample_summary(scene), sample_analysis()).dump());
 }
 
 }  // namespace eerie::test

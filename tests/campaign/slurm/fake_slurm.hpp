@@ -12,7 +12,7 @@
 namespace eerie::test {
 
 /// A cluster that does as it is told: takes submissions, lists them, and forgets them.
-class FakeSlurm : public Commands {
+class FakeSlurm : public slurm::Commands {
  public:
   enum class Sbatch {
     takes,
@@ -23,7 +23,7 @@ class FakeSlurm : public Commands {
     prints_nothing_we_know,
   };
 
-  CommandEnd run(const std::vector<std::string>& words, std::chrono::milliseconds) override {
+  slurm::CommandEnd run(const std::vector<std::string>& words, std::chrono::milliseconds) override {
     calls.push_back(words);
     if (words[0] == "sbatch") return sbatch(words);
     if (words[0] == "squeue") return squeue();
@@ -61,7 +61,7 @@ class FakeSlurm : public Commands {
     return "";
   }
 
-  CommandEnd sbatch(const std::vector<std::string>& words) {
+  slurm::CommandEnd sbatch(const std::vector<std::string>& words) {
     const std::filesystem::path script = words.back();
     manifest_came_first &= std::filesystem::exists(script) &&
                            std::filesystem::exists(script.parent_path() / "manifest.json");
@@ -79,7 +79,7 @@ class FakeSlurm : public Commands {
     return {0, false, fmt::format("{};fake\n", id), ""};
   }
 
-  CommandEnd squeue() const {
+  slurm::CommandEnd squeue() const {
     if (!squeue_answers)
       return {1, false, "", "slurm_load_jobs error: Unable to contact slurm controller\n"};
     std::string out;
@@ -89,7 +89,7 @@ class FakeSlurm : public Commands {
     return {0, false, out, ""};
   }
 
-  CommandEnd scancel(const std::vector<std::string>& words) {
+  slurm::CommandEnd scancel(const std::vector<std::string>& words) {
     if (!scancel_answers) return {1, false, "", "scancel: error: no\n"};
     const bool pending_only = words[1] == "--state=PENDING";
     const int id = std::stoi(words.back());

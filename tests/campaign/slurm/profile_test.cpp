@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "campaign/text/json_file.hpp"
 #include "solver/base/error.hpp"
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "db/store/settings.hpp"
+#include "db/views/query.hpp"
 #include "tests/db/jobs/sample_jobs.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
