@@ -7,7 +7,7 @@
 #include <chrono>
 #include <random>
 
-#include "campaign/sweeps/job.hpp"
+#include "campaign/sweeps/plan.hpp"
 #include "campaign/sweeps/sweep.hpp"
 #include "db/jobs/control.hpp"
 #include "db/jobs/jobs.hpp"
@@ -75,14 +75,12 @@ json to_json(const db::Selection& s) {
 /// Adds the sweep; its new jobs get the priority and the limit.
 json submit(db::Connection& connection, const Request& request) {
   // Expanding takes seconds for a hundred thousand jobs: before the transaction.
-  const sweeps::Sweep sweep =
-      sweeps::parse_sweep(json::parse(request.sweep), {}, "submitted sweep");
-  const std::vector<db::NewJob> jobs = sweeps::jobs_of(sweeps::expand(sweep));
+  const sweeps::Plan plan = sweeps::plan(json::parse(request.sweep), {}, "submitted sweep");
   return json::parse(db::once(connection, request.id, request.kind, [&](SQLite::Database& sql) {
-    const db::AddedSweep added = db::add_sweep(sql, sweep.name, sweeps::document(sweep), jobs);
+    const db::AddedSweep added = sweeps::store(sql, plan);
     if (request.priority || request.wall_limit_s)
       db::prepare_new_jobs(sql, added.sweep, request.priority, request.wall_limit_s);
-    return json{{"sweep", sweep.name}, {"jobs", added.jobs}, {"added", added.added}}.dump();
+    return json{{"sweep", plan.sweep.name}, {"jobs", added.jobs}, {"added", added.added}}.dump();
   }));
 }
 

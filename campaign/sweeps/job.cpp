@@ -58,7 +58,7 @@ db::NewJob new_job(const Scene& scene) {
   return job;
 }
 
-std::vector<db::NewJob> jobs_of(const std::vector<Scene>& scenes) {
+std::vector<db::NewJob> identify(const std::vector<Scene>& scenes) {
   std::vector<db::NewJob> jobs;
   std::unordered_set<std::string> seen;
   for (const Scene& scene : scenes) {
@@ -69,7 +69,7 @@ std::vector<db::NewJob> jobs_of(const std::vector<Scene>& scenes) {
 }
 
 std::vector<db::NewJob> jobs_in_order(const std::vector<Scene>& scenes) {
-  std::vector<db::NewJob> jobs = jobs_of(scenes);
+  std::vector<db::NewJob> jobs = identify(scenes);
   int priority = 0;
   for (db::NewJob& job : jobs) job.priority = priority--;
   return jobs;

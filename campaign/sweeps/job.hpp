@@ -24,7 +24,7 @@ double expected_particle_steps(const Scene& scene);
 db::NewJob new_job(const Scene& scene);
 
 /// The distinct jobs of the scenes of a sweep.
-std::vector<db::NewJob> jobs_of(const std::vector<Scene>& scenes);
+std::vector<db::NewJob> identify(const std::vector<Scene>& scenes);
 
 /// The same, to be run in the order of the scenes: each has a lower priority than the one before.
 std::vector<db::NewJob> jobs_in_order(const std::vector<Scene>& scenes);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "campaign/sweeps/sweep_schema_text.hpp"
 #include "campaign/text/json_file.hpp"
@@ -22,7 +23,7 @@ const json& sweep_schema() {
   return schema;
 }
 
-/// The schema without what require_plain_name() and parse_axis() say in better words.
+/// The schema without what text::require_plain_name() and parse_axis() say in better words.
 json outline() {
   json schema = sweep_schema();
   schema["properties"]["grid"] = {{"type", "object"}};
@@ -32,21 +33,27 @@ json outline() {
 }
 
 /// A field is either shared or in a point or an axis, and an axis only once.
-void require_once(const Sweep& sweep, const std::string& path, const char* part) {
-  if (const json* value = find_field(sweep.scene, path))
-    throw InputError(
-        fmt::format("{}: {} = {} stands in the scene (or in --set or --fidelity) and {} too; "
-                    "remove one of them",
-                    sweep.where, path, value->dump(), part));
-  for (const Axis& other : sweep.axes)
-    if (other.path == path)
+void require_once(const Sweep& sweep) {
+  const auto require_not_shared = [&](const std::string& path, const char* part) {
+    if (const json* value = find_field(sweep.scene, path))
+      throw InputError(
+          fmt::format("{}: {} = {} stands in the scene (or in --set or --fidelity) and {} too; "
+                      "remove one of them",
+                      sweep.where, path, value->dump(), part));
+  };
+  std::set<std::string> points(sweep.points.paths.begin(), sweep.points.paths.end()), axes;
+  for (const std::string& path : points) require_not_shared(path, "in the points");
+  for (const Axis& axis : sweep.axes) {
+    require_not_shared(axis.path, "is an axis of the grid");
+    if (!axes.insert(axis.path).second)
       throw InputError(fmt::format("{}: grid: two axes name the field {}; remove one of them",
-                                   sweep.where, path));
-  if (std::ranges::find(sweep.points.paths, path) != sweep.points.paths.end())
-    throw InputError(
-        fmt::format("{}: {} is in the points and an axis of the grid too; remove one "
-                    "of them",
-                    sweep.where, path));
+                                   sweep.where, axis.path));
+    if (points.contains(axis.path))
+      throw InputError(
+          fmt::format("{}: {} is in the points and an axis of the grid too; remove one "
+                      "of them",
+                      sweep.where, axis.path));
+  }
 }
 
 void require_few_enough(const Sweep& sweep) {
@@ -119,29 +126,29 @@ SweepPoints parse_points(const json& given, const std::string& where) {
   return points;
 }
 
-}  // namespace
-
-Sweep parse_sweep(const json& given, const std::vector<std::string>& overrides,
-                  const std::string& where) {
+/// The fields of a sweep's document, each valid by itself.
+Sweep fields_of(const json& given, const std::vector<std::string>& overrides,
+                const std::string& where) {
   require_valid(outline(), given, where + ": sweep");
   Sweep sweep{given["name"], with_integers(given.value("scene", json::object())), {}, {}, where};
   text::require_plain_name(sweep.name, where + ": name", "first-light");
   require_valid(scene_schema(), sweep.scene, where + ": scene");
   apply_overrides(sweep.scene, overrides);
   require_grid_or_points(given, where);
-  if (given.contains("points")) {
-    const SweepPoints points = parse_points(given["points"], where + ": points");
-    for (const std::string& path : points.paths) require_once(sweep, path, "in the points");
-    sweep.points = points;
-  }
+  if (given.contains("points")) sweep.points = parse_points(given["points"], where + ": points");
   const json grid = given.value("grid", json::object());
-  for (const auto& [name, spec] : grid.items()) {
-    Axis axis = parse_axis(name, spec, where + ": grid." + name);
-    require_once(sweep, axis.path, "is an axis of the grid");
-    sweep.axes.push_back(std::move(axis));
-  }
+  for (const auto& [name, spec] : grid.items())
+    sweep.axes.push_back(parse_axis(name, spec, where + ": grid." + name));
+  return sweep;
+}
+
+}  // namespace
+
+Sweep parse_sweep(const json& given, const std::vector<std::string>& overrides,
+                  const std::string& where) {
+  Sweep sweep = fields_of(given, overrides, where);
+  require_once(sweep);
   require_few_enough(sweep);
-  require_valid(sweep_schema(), given, where + ": sweep");
   return sweep;
 }
 
@@ -156,8 +163,8 @@ std::size_t point_count(const Sweep& sweep) {
 }
 
 std::vector<Scene> expand(const Sweep& sweep) {
-  // Each value of each axis is checked against the schema once; of the combinations only whether
-  // their values fit together.
+  // One scene is parsed; the others are that scene with other values. These were checked when the
+  // sweep was parsed, so that of a combination only remains whether its values fit together.
   const std::string where = sweep.where + ": scene";
   const SweepPoints& points = sweep.points;
   json first = sweep.scene;
@@ -166,12 +173,6 @@ std::vector<Scene> expand(const Sweep& sweep) {
   for (const Axis& axis : sweep.axes)
     set_field(first, axis.path, canonical_number(axis.values.front()));
   const Scene base = parse_scene(first, where);
-  for (const Axis& axis : sweep.axes)
-    for (const double value : axis.values) {
-      json scene = first;
-      set_field(scene, axis.path, canonical_number(value));
-      parse_scene(scene, where);
-    }
 
   std::vector<FieldChange> changes;
   for (const std::string& path : points.paths) changes.push_back({field_pointer(path), 0});

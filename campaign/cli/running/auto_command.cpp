@@ -134,7 +134,7 @@ int run_auto(const RunArguments& a) {
     std::vector<Scene> scenes;
     for (const auto_fidelity::Wanted& run : wanted) scenes.push_back(run.scene);
     const db::AddedSweep added =
-        db::add_sweep(connection, name, sweeps::document(sweep), sweeps::jobs_of(scenes));
+        db::add_sweep(connection, name, sweeps::document(sweep), sweeps::identify(scenes));
     if (a.retry_failed && round == 1) db::retry_failed(connection, added.sweep);
     last = tally(connection, added.sweep);
     if (last.left == 0) break;  // what is wanted has failed before

@@ -6,6 +6,7 @@
 #include "campaign/cli/output/text_table.hpp"
 #include "campaign/cli/work.hpp"
 #include "campaign/sweeps/job.hpp"
+#include "campaign/sweeps/plan.hpp"
 #include "db/jobs/jobs.hpp"
 #include "solver/base/error.hpp"
 
@@ -66,13 +67,12 @@ std::string job_table(const std::vector<db::NewJob>& jobs) {
 }  // namespace
 
 int expand(const ExpandArguments& a) {
-  const sweeps::Sweep sweep = sweeps::load_sweep(a.sweep, a.changes.all());
-  const std::vector<Scene> scenes = eerie::sweeps::expand(sweep);
-  const std::vector<db::NewJob> jobs = sweeps::jobs_of(scenes);
-  const std::vector<std::string> warned = sweeps::cautions(scenes);
+  const sweeps::Plan plan = sweeps::load_plan(a.sweep, a.changes.all());
+  const std::vector<db::NewJob>& jobs = plan.jobs;
+  const std::vector<std::string> warned = sweeps::cautions(plan.scenes);
   const Estimate e = estimate(a.database, jobs);
   if (a.json) {
-    json report = {{"sweep", sweep.name},
+    json report = {{"sweep", plan.sweep.name},
                    {"database", a.database.string()},
                    {"jobs", jobs.size()},
                    {"new", e.unknown},
@@ -86,7 +86,7 @@ int expand(const ExpandArguments& a) {
     return static_cast<int>(ExitCode::done);
   }
   if (a.list) fmt::print("{}\n", job_table(jobs));
-  fmt::print("{}: {} jobs, {} of them new to {}\n", sweep.name, jobs.size(), e.unknown,
+  fmt::print("{}: {} jobs, {} of them new to {}\n", plan.sweep.name, jobs.size(), e.unknown,
              a.database.string());
   fmt::print(
       "about {:.3g} core-hours for all of them, at {} particle-steps per second and core ({})\n",

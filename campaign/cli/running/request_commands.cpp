@@ -5,6 +5,7 @@
 #include "campaign/cli/work.hpp"
 #include "campaign/manager/inbox.hpp"
 #include "campaign/sweeps/job.hpp"
+#include "campaign/sweeps/plan.hpp"
 #include "campaign/sweeps/sweep.hpp"
 #include "db/store/connection.hpp"
 #include "solver/base/error.hpp"
@@ -78,23 +79,23 @@ struct SubmitArguments {
 int submit(const SubmitArguments& a) {
   manager::Request request;
   request.kind = "submit";
-  const sweeps::Sweep sweep = sweeps::load_sweep(a.sweep, a.changes.all());
-  const std::vector<Scene> scenes = eerie::sweeps::expand(sweep);  // mistakes are told here and now
-  request.sweep = sweeps::document(sweep);
+  // Mistakes are told here and now.
+  const sweeps::Plan plan = sweeps::load_plan(a.sweep, a.changes.all());
+  request.sweep = sweeps::document(plan.sweep);
   request.priority = a.priority;
   if (!a.wall_limit.empty()) request.wall_limit_s = parse_duration(a.wall_limit, "--wall-limit");
   make_folder_of(a.database);
   const auto answer = ask(a.database, request);
   if (a.json) {
-    fmt::print("{}\n", answer ? answer->dump(1) : json{{"sweep", sweep.name}}.dump(1));
+    fmt::print("{}\n", answer ? answer->dump(1) : json{{"sweep", plan.sweep.name}}.dump(1));
     return static_cast<int>(ExitCode::done);
   }
-  print_warnings(sweeps::cautions(scenes));
+  print_warnings(sweeps::cautions(plan.scenes));
   if (answer)
-    fmt::print("{}: {} jobs, {} new\n", sweep.name, answer->at("jobs").get<std::size_t>(),
+    fmt::print("{}: {} jobs, {} new\n", plan.sweep.name, answer->at("jobs").get<std::size_t>(),
                answer->at("added").get<std::size_t>());
   else
-    fmt::print("{}: the manager at work is busy; it will take it\n", sweep.name);
+    fmt::print("{}: the manager at work is busy; it will take it\n", plan.sweep.name);
   return static_cast<int>(ExitCode::done);
 }
 

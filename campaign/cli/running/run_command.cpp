@@ -14,6 +14,7 @@
 #include "campaign/maps/map.hpp"
 #include "campaign/process/signals.hpp"
 #include "campaign/sweeps/job.hpp"
+#include "campaign/sweeps/plan.hpp"
 #include "db/jobs/control.hpp"
 #include "db/jobs/job_settings.hpp"
 #include "db/jobs/jobs.hpp"
@@ -109,10 +110,9 @@ void require_fixed_fidelity(const RunArguments& a) {
 int run(const RunArguments& a) {
   if (a.changes.fidelity == "auto") return run_auto(a);
   require_fixed_fidelity(a);
-  const sweeps::Sweep sweep = sweeps::load_sweep(a.sweep, a.changes.all());
-  const std::vector<Scene> scenes = eerie::sweeps::expand(sweep);
-  const std::vector<db::NewJob> jobs = sweeps::jobs_of(scenes);
-  require_drawable(a.maps, jobs);
+  const sweeps::Plan plan = sweeps::load_plan(a.sweep, a.changes.all());
+  const std::string& name = plan.sweep.name;
+  require_drawable(a.maps, plan.jobs);
   require_consistent(a.engine);
   process::catch_stop_signals();
   process::hold_signals();
@@ -120,19 +120,18 @@ int run(const RunArguments& a) {
   const db::Lock lock(a.database);
   db::Connection connection(a.database, db::Access::write);
   if (!a.engine.jobs_dir.empty()) job_folder::choose_job_folder(connection, a.engine.jobs_dir);
-  const db::AddedSweep added = db::add_sweep(connection, sweep.name, sweeps::document(sweep), jobs);
+  const db::AddedSweep added = sweeps::store(connection, plan);
   if (a.retry_failed) db::retry_failed(connection, added.sweep);
 
   const Tally before = tally(connection, added.sweep);
   if (!a.json) {
     if (before.left == 0)
-      fmt::print("{}: nothing left to do\n", sweep.name);
+      fmt::print("{}: nothing left to do\n", name);
     else
-      fmt::print("{}: {} jobs, {} new, {} to run\n", sweep.name, added.jobs, added.added,
-                 before.left);
+      fmt::print("{}: {} jobs, {} new, {} to run\n", name, added.jobs, added.added, before.left);
     std::fflush(stdout);
   }
-  if (before.left > 0) print_warnings(sweeps::cautions(scenes));
+  if (before.left > 0) print_warnings(sweeps::cautions(plan.scenes));
   if (before.left > 0)
     work(connection, {a.workers, a.threads_per_job, a.json}, added.sweep, a.engine);
 
@@ -140,13 +139,12 @@ int run(const RunArguments& a) {
   std::vector<fs::path> pictures;
   std::string no_pictures;  // why; the outcomes are told all the same
   try {
-    pictures = draw(connection, a, added.sweep, sweep.name);
+    pictures = draw(connection, a, added.sweep, name);
   } catch (const EnvironmentError& error) {
     no_pictures = error.what();
   }
   if (a.json)
-    fmt::print("{}\n",
-               report_json(connection, a, added.sweep, sweep.name, after, pictures).dump(1));
+    fmt::print("{}\n", report_json(connection, a, added.sweep, name, after, pictures).dump(1));
   else
     print_report(connection, a, added.sweep, after, pictures);
   if (!no_pictures.empty()) throw EnvironmentError(no_pictures);

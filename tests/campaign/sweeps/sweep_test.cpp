@@ -36,7 +36,7 @@ TEST(Sweep, OfTable2HasThePapersPointsAndDistinctJobs) {
     const Sweep sweep = load_sweep(shipped(name));
     EXPECT_EQ(sweep.name, name);
     EXPECT_EQ(point_count(sweep), count) << name;
-    EXPECT_EQ(jobs_of(expand(sweep)).size(), count) << name;
+    EXPECT_EQ(identify(expand(sweep)).size(), count) << name;
     points += point_count(sweep);
     distinct.merge(hashes(sweep));
   }

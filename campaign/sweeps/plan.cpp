@@ -1,0 +1,31 @@
+#include "campaign/sweeps/plan.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "campaign/sweeps/job.hpp"
+#include "campaign/text/json_file.hpp"
+
+namespace eerie::sweeps {
+
+Plan plan(const nlohmann::json& document, const std::vector<std::string>& overrides,
+          const std::string& where) {
+  Sweep sweep = parse_sweep(document, overrides, where);
+  std::vector<Scene> scenes = expand(sweep);
+  std::vector<db::NewJob> jobs = identify(scenes);
+  return {std::move(sweep), std::move(scenes), std::move(jobs)};
+}
+
+Plan load_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return plan(text::load_json(file), overrides, file.string());
+}
+
+db::AddedSweep store(db::Connection& connection, const Plan& plan) {
+  return db::add_sweep(connection, plan.sweep.name, document(plan.sweep), plan.jobs);
+}
+
+db::AddedSweep store(SQLite::Database& transaction, const Plan& plan) {
+  return db::add_sweep(transaction, plan.sweep.name, document(plan.sweep), plan.jobs);
+}
+
+}  // namespace eerie::sweeps
