@@ -24,7 +24,7 @@ inline constexpr std::array<QuantityName, 7> quantity_names = {{
     {MapQuantity::period, "period", "spin period, largest remnant (h)"},
     {MapQuantity::outcome, "class", "most frequent outcome"},
     {MapQuantity::n_eer, "n-eer", "EERs per impact"},
-    {MapQuantity::p_eer, "p-eer", "P(largest remnant is an EER)"},
+    {MapQuantity::p_largest_eer, "p-eer", "P(largest remnant is an EER)"},
 }};
 const QuantityName& name_of(MapQuantity quantity);
 /// Throws InputError that lists the tokens.

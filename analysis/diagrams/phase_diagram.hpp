@@ -27,7 +27,8 @@ struct PhaseCell {
   double class_share = 1;     ///< fraction of the runs that are of the class
   std::optional<double> c_over_a = {}, period_h = {};  ///< of the largest remnant
   std::optional<double> m_lr_over_m_total = {}, n_eer = {};
-  std::optional<double> p_eer = {};  ///< fraction of the runs whose largest remnant has b/a < 0.3
+  std::optional<double> p_largest_eer =
+      {};  ///< fraction of the runs whose largest remnant has b/a < 0.3
 
   bool has_result() const { return state == CellState::done || state == CellState::unsettled; }
 };
@@ -47,7 +48,7 @@ struct PhaseDiagram {
 /// What a map shows: numbers of the largest remnant, mass of the largest bound group over that of
 /// both bodies, the most frequent class, EERs among all remnants, and the fraction of runs whose
 /// largest remnant is one.
-enum class MapQuantity { b_over_a, c_over_a, m_lr, period, outcome, n_eer, p_eer };
+enum class MapQuantity { b_over_a, c_over_a, m_lr, period, outcome, n_eer, p_largest_eer };
 
 /// A map, or several as panels of one figure: one quantity for each diagram, or one diagram by each
 /// quantity. Panels share their axes, and their colours where the quantity is one.

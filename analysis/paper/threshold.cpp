@@ -42,7 +42,7 @@ std::set<double> all(const std::vector<RidgeCell>& cells, double RidgeCell::*val
 std::vector<Weighted> along_s(const std::vector<RidgeCell>& cells) {
   double v_top = 0, theta_top = 0;
   for (const RidgeCell& cell : cells)
-    if (cell.p_eer() > 0) {
+    if (cell.p_largest_eer() > 0) {
       v_top = std::max(v_top, cell.v_imp_cm_per_s);
       theta_top = std::max(theta_top, cell.theta_imp_deg);
     }
@@ -73,7 +73,7 @@ struct Moments {
 
 Moments moments(const std::vector<Weighted>& line) {
   Moments sum;
-  for (const Weighted& w : line) sum.add(w.width * w.cell->p_eer(), w.s);
+  for (const Weighted& w : line) sum.add(w.width * w.cell->p_largest_eer(), w.s);
   return sum;
 }
 
@@ -112,7 +112,7 @@ RidgeBound bound(const std::vector<RidgeCell>& cells, double RidgeCell::*value) 
   const std::set<double> sampled = all(cells, value);
   std::set<double> inside;
   for (const RidgeCell& cell : cells)
-    if (cell.p_eer() >= 0.5) inside.insert(cell.*value);
+    if (cell.p_largest_eer() >= 0.5) inside.insert(cell.*value);
   RidgeBound b{*inside.begin(), *inside.rbegin(), {}, {}};
   const auto low = sampled.find(b.low), above = sampled.upper_bound(b.high);
   if (low != sampled.begin()) b.below = *std::prev(low);
@@ -150,12 +150,12 @@ RidgeRow ridge_row(const std::vector<const RidgeCell*>& row) {
   r.theta_imp_deg = row.front()->theta_imp_deg, r.speeds = row.size();
   Moments sum;
   for (std::size_t k = 0; k < row.size(); ++k) {
-    sum.add((axis.edges[k + 1] - axis.edges[k]) * row[k]->p_eer(), speeds[k]);
+    sum.add((axis.edges[k + 1] - axis.edges[k]) * row[k]->p_largest_eer(), speeds[k]);
     r.lowest_b_over_a = std::min(r.lowest_b_over_a, row[k]->mean_b_over_a());
   }
   r.weight = sum.zeroth;
   r.v_centre = sum.zeroth > 0 ? sum.mean() : 0;
-  r.open = row.front()->p_eer() > 0 || row.back()->p_eer() > 0;
+  r.open = row.front()->p_largest_eer() > 0 || row.back()->p_largest_eer() > 0;
   r.valley = valley(row);
   return r;
 }
@@ -209,8 +209,8 @@ std::string what_lacks(const std::vector<RidgeCell>& cells, const std::vector<We
   double eers = 0;
   std::set<double> angles;
   for (const RidgeCell& cell : cells) {
-    eers += cell.p_eer();
-    if (cell.p_eer() >= 0.5) angles.insert(cell.theta_imp_deg);
+    eers += cell.p_largest_eer();
+    if (cell.p_largest_eer() >= 0.5) angles.insert(cell.theta_imp_deg);
   }
   if (eers < threshold_min_eers || angles.size() < threshold_min_angles)
     return fmt::format(
@@ -220,7 +220,7 @@ std::string what_lacks(const std::vector<RidgeCell>& cells, const std::vector<We
         threshold_min_eers, threshold_min_angles, eers, angles.size(),
         angles.size() == 1 ? "angle" : "angles", cells.size());
   for (const Weighted* end : {&line.front(), &line.back()})
-    if (end->cell->p_eer() >= 0.5)
+    if (end->cell->p_largest_eer() >= 0.5)
       return fmt::format(
           "needs impacts without elongated remnants on both sides of the ridge; at v sin(theta) = "
           "{:.2f} cm/s (v = {:g} cm/s, theta = {:g} deg), the {} sampled, they still form",
@@ -231,7 +231,7 @@ std::string what_lacks(const std::vector<RidgeCell>& cells, const std::vector<We
 
 }  // namespace
 
-double RidgeCell::p_eer() const {
+double RidgeCell::p_largest_eer() const {
   if (b_over_a.empty()) return 0;
   return static_cast<double>(std::ranges::count_if(b_over_a, is_eer)) /
          static_cast<double>(b_over_a.size());

@@ -15,7 +15,7 @@ struct RidgeCell {
   std::vector<double> b_over_a;  ///< of each run's largest remnant; 1 where there is none
 
   /// Fraction of the runs whose largest remnant is extremely elongated; 0 without runs.
-  double p_eer() const;
+  double p_largest_eer() const;
   double mean_b_over_a() const;
   double shear_speed() const;  ///< v sin(theta), cm/s
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace eerie::statistics {
 
@@ -9,12 +10,20 @@ Ensemble ensemble(const std::vector<double>& values) {
   Ensemble e{values.size(), 0, 0, 0, 0};
   if (values.empty()) return e;
   const auto n = static_cast<double>(values.size());
-  for (const double value : values) e.mean += value / n;
+  e.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
   for (const double value : values) e.deviation += (value - e.mean) * (value - e.mean);
   e.deviation = values.size() > 1 ? std::sqrt(e.deviation / (n - 1)) : 0;
   const auto [low, high] = std::ranges::minmax(values);
   e.low = low, e.high = high;
   return e;
+}
+
+std::optional<double> mean_of(const Ensemble& e) {
+  return e.runs > 0 ? std::optional(e.mean) : std::nullopt;
+}
+
+std::optional<double> deviation_of(const Ensemble& e) {
+  return e.runs > 1 ? std::optional(e.deviation) : std::nullopt;
 }
 
 }  // namespace eerie::statistics

@@ -219,7 +219,7 @@ double AutoFidelity::uniform_core_seconds() const {
 std::string auto_csv(const AutoFidelity& campaign) {
   std::string csv =
       "q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,fidelity,seeds,sketches,class,p_class,b_over_a,"
-      "p_eer,confidence,in_doubt\n";
+      "p_largest_eer,confidence,in_doubt\n";
   for (const AutoCell& c : campaign.cells()) {
     csv += point_of(c.survey_scene);
     if (c.fidelity.empty())

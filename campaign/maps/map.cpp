@@ -9,6 +9,7 @@
 #include <set>
 
 #include "analysis/paper/threshold.hpp"
+#include "analysis/statistics/ensemble.hpp"
 #include "campaign/maps/map_csv.hpp"
 #include "campaign/maps/settings_choice.hpp"
 #include "campaign/sweeps/job.hpp"
@@ -19,6 +20,10 @@ namespace eerie::maps {
 namespace fs = std::filesystem;
 
 namespace {
+
+std::optional<double> mean(const std::vector<double>& numbers) {
+  return statistics::mean_of(statistics::ensemble(numbers));
+}
 
 diagrams::PhaseCell cell(const db::MapPoint& p) {
   diagrams::PhaseCell c{p.v_imp_cm_per_s, p.theta_imp_deg};
@@ -31,8 +36,9 @@ diagrams::PhaseCell cell(const db::MapPoint& p) {
   c.class_share = p.share(p.classes.at(c.outcome));
   c.smaller_eer = p.smaller_is_eer > 0 && 2 * p.smaller_is_eer >= p.results;
   c.stale = p.stale > 0;
-  c.b_over_a = p.b_over_a.mean, c.c_over_a = p.c_over_a.mean, c.period_h = p.period_h.mean;
-  c.m_lr_over_m_total = p.m_lr_over_m_total.mean, c.n_eer = p.n_eer.mean, c.p_eer = p.p_eer();
+  c.b_over_a = mean(p.b_over_a), c.c_over_a = mean(p.c_over_a), c.period_h = mean(p.period_h);
+  c.m_lr_over_m_total = mean(p.m_lr_over_m_total), c.n_eer = mean(p.n_eer);
+  c.p_largest_eer = p.p_largest_eer();
   return c;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/remnants/outcome.hpp"
+#include "analysis/statistics/ensemble.hpp"
 #include "campaign/text/csv.hpp"
 #include "solver/base/constants.hpp"
 
@@ -37,17 +38,20 @@ std::string line(const db::MapPoint& p) {
                                  p.v_imp_cm_per_s * std::sin(radians(p.theta_imp_deg)), p.settings,
                                  p.fidelity, p.particles_per_target, p.jobs, p.done, p.failed,
                                  p.stale, p.unsettled, p.results);
-  for (const db::Spread* s :
-       {&p.b_over_a, &p.c_over_a, &p.m_lr_over_m_total, &p.period_h, &p.n_eer})
-    text += fmt::format(",{},{}", text::csv_number(s->mean), text::csv_number(s->std_dev));
+  for (const auto* numbers :
+       {&p.b_over_a, &p.c_over_a, &p.m_lr_over_m_total, &p.period_h, &p.n_eer}) {
+    const statistics::Ensemble e = statistics::ensemble(*numbers);
+    text += fmt::format(",{},{}", text::csv_number(statistics::mean_of(e)),
+                        text::csv_number(statistics::deviation_of(e)));
+  }
   const auto share = [&](const std::string& outcome) -> std::optional<double> {
     if (p.results == 0) return std::nullopt;
     const auto found = p.classes.find(outcome);
     return p.share(found == p.classes.end() ? 0 : found->second);
   };
   const std::string outcome = p.outcome_class();
-  text += fmt::format(",{},{},{}", p.results > 0 ? text::csv_number(p.p_eer()) : "", outcome,
-                      text::csv_number(share(outcome)));
+  text += fmt::format(",{},{},{}", p.results > 0 ? text::csv_number(p.p_largest_eer()) : "",
+                      outcome, text::csv_number(share(outcome)));
   for (const remnants::OutcomeName& row : remnants::outcome_names)
     text += "," + text::csv_number(share(std::string(row.name)));
   return text + "\n";

@@ -26,12 +26,21 @@ std::string count_classes(const std::vector<std::string>& classes) {
   return text;
 }
 
-bool has_eer(const std::vector<db::Remnant>& remnants) {
-  const auto largest = std::span(remnants).first(std::min(remnants.size(), shown_remnants));
-  return std::ranges::any_of(largest, [](const db::Remnant& m) {
-    return m.mass_over_total >= eer_least_mass && m.b_over_a &&
-           *m.b_over_a < remnants::eer_max_b_over_a;
-  });
+bool has_eer(const db::Result& result, const std::vector<db::Remnant>& remnants, EerAmong among) {
+  const auto is_eer = [](const db::Remnant& m) {
+    return m.b_over_a && *m.b_over_a < remnants::eer_max_b_over_a;
+  };
+  switch (among) {
+    case EerAmong::largest:
+      return !remnants.empty() && is_eer(remnants.front());
+    case EerAmong::three_largest:
+      return std::ranges::any_of(
+          std::span(remnants).first(std::min<std::size_t>(remnants.size(), 3)),
+          [&](const db::Remnant& m) { return m.mass_over_total >= eer_least_mass && is_eer(m); });
+    case EerAmong::any:
+      break;
+  }
+  return result.n_eer > 0;  // the list may lack the smaller ones
 }
 
 std::string remnant_header(const char* when) {

@@ -31,7 +31,7 @@ double fraction_of(const RunGroup<Run>& runs, Predicate&& holds) {
   return static_cast<double>(n) / static_cast<double>(runs.size());
 }
 
-// Quantities of a finished run, for over().
+// Quantities of a finished run, for ensemble_of().
 
 /// Nothing where nothing remained.
 inline auto of_largest(std::optional<double> db::Remnant::*member) {
@@ -59,8 +59,21 @@ std::string classes_of(const RunGroup<Run>& runs) {
 /// particles they would not be seen at all.
 inline constexpr double eer_least_mass = 0.05;
 
-/// Whether one of the three largest remnants is extremely elongated.
-bool has_eer(const std::vector<db::Remnant>& remnants);
+/// Which remnants are asked whether one of them is extremely elongated.
+enum class EerAmong {
+  largest,
+  three_largest,  ///< those of at least eer_least_mass
+  any,
+};
+bool has_eer(const db::Result& result, const std::vector<db::Remnant>& remnants, EerAmong among);
+
+/// P(EER): the part of the runs that have one among those remnants.
+template <class Run>
+double p_eer(const RunGroup<Run>& runs, EerAmong among) {
+  return fraction_of(runs, [among](const RunWithResult<Run>& run) {
+    return has_eer(run.row.result, run.remnants, among);
+  });
+}
 
 // Columns of a table of runs: mass, axes and period of the three largest remnants. Empty fields:
 // there is no such remnant, or it does not spin; core_s of a run that lost a machine on its way.

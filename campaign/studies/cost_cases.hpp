@@ -12,8 +12,8 @@ namespace eerie::studies {
 struct ChartCell {
   std::size_t setting = 0, case_index = 0;
   statistics::Ensemble b_over_a, c_over_a, m_1, period_h, core_seconds;  ///< of the largest remnant
-  double p_eer = 0;     ///< part of the runs with an EER among the three largest remnants
-  std::string classes;  ///< "hit-and-run 1; perfect-merging 5"
+  double p_top3_eer = 0;  ///< part of the runs with an EER among the three largest remnants
+  std::string classes;    ///< "hit-and-run 1; perfect-merging 5"
 };
 
 /// In the order of the study; none where there is no result.

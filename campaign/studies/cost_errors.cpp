@@ -79,18 +79,16 @@ class Comparison {
     return sum / static_cast<double>(cases(setting).size());
   }
 
-  double p_eer_error(std::size_t setting) const {
+  double p_any_eer_error(std::size_t setting) const {
     double sum = 0;
     for (const std::size_t c : cases(setting))
-      sum += std::abs(p_eer(runs(setting, c)) - p_eer(runs(reference_, c)));
+      sum += std::abs(p_any_eer(setting, c) - p_any_eer(reference_, c));
     return sum / static_cast<double>(cases(setting).size());
   }
 
  private:
-  static double p_eer(const Runs& runs) {
-    const auto n =
-        std::ranges::count_if(runs, [](const ChartResult* r) { return r->row.result.n_eer > 0; });
-    return static_cast<double>(n) / static_cast<double>(runs.size());
+  double p_any_eer(std::size_t setting, std::size_t c) const {
+    return results::p_eer(runs(setting, c), results::EerAmong::any);
   }
 
   static std::string most_frequent_class(const Runs& runs) {
@@ -171,7 +169,7 @@ std::vector<ChartPoint> chart_points(const ChartStudy& study,
     p.m_1 = all.deviation(s, results::largest_mass);
     p.period = all.deviation(s, results::of_largest(&db::Remnant::spin_period_h), true);
     p.class_agreement = all.class_agreement(s);
-    p.p_eer_error = all.p_eer_error(s);
+    p.p_any_eer_error = all.p_any_eer_error(s);
     points.push_back(p);
   }
   mark_frontier(points);
@@ -182,7 +180,7 @@ std::string chart_csv(const ChartStudy& study, const std::vector<ChartPoint>& po
   std::string csv =
       "knob,setting,cases,runs,core_s,particle_steps,b_over_a_error,b_over_a_noise,c_over_a_error,"
       "c_over_a_noise,m_1_over_m_total_error,m_1_over_m_total_noise,period_relative_error,"
-      "period_relative_noise,class_agreement,p_eer_error,frontier,cost_over_frontier,set\n";
+      "period_relative_noise,class_agreement,p_any_eer_error,frontier,cost_over_frontier,set\n";
   for (const ChartPoint& p : points) {
     const ChartStudy::Setting& s = study.settings[p.setting];
     csv += fmt::format("{},{},{},{},{:.4g},{:.4g}", text::csv_quoted(s.knob),
@@ -191,7 +189,7 @@ std::string chart_csv(const ChartStudy& study, const std::vector<ChartPoint>& po
     for (const Deviation& d : {p.b_over_a, p.c_over_a, p.m_1, p.period})
       csv += fmt::format(",{:.3g},{:.3g}", d.error, d.noise);
     csv += fmt::format(
-        ",{:.3g},{:.3g},{},{},{}\n", p.class_agreement, p.p_eer_error, p.frontier ? 1 : 0,
+        ",{:.3g},{:.3g},{},{},{}\n", p.class_agreement, p.p_any_eer_error, p.frontier ? 1 : 0,
         p.whole ? fmt::format("{:.3g}", p.cost_over_frontier) : "", text::csv_quoted(s.set.dump()));
   }
   return csv;

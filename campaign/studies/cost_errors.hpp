@@ -30,7 +30,7 @@ struct ChartPoint {
   double core_seconds = 0, particle_steps = 0;  ///< per impact, mean over the cases
   Deviation b_over_a, c_over_a, m_1, period;    ///< of the largest remnant; period: relative
   double class_agreement = 0;  ///< part of the runs with the class that most of the reference have
-  double p_eer_error = 0;      ///< mean over the cases of |P(EER) - that of the reference|
+  double p_any_eer_error = 0;  ///< mean over the cases of |P(EER) - that of the reference|
   bool frontier = false;       ///< nothing that is as true is cheaper
   /// Cost over that of the cheapest setting that is as true; differences below noise are none.
   double cost_over_frontier = 1;

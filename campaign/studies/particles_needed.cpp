@@ -22,21 +22,23 @@ bool is_near(const statistics::Ensemble& e, std::optional<double> target, double
 }
 
 /// Half of the runs decide nothing.
-bool is_as_often(double p_eer, std::optional<bool> eer) {
-  return !eer || (*eer ? p_eer > 0.5 : p_eer < 0.5);
+bool is_as_often(double p_top3_eer, std::optional<bool> eer) {
+  return !eer || (*eer ? p_top3_eer > 0.5 : p_top3_eer < 0.5);
 }
 
 /// What is compared with a target.
 struct Measured {
   std::int64_t particles_per_target;
   statistics::Ensemble b_over_a, m_1;
-  double p_eer;
+  double p_top3_eer;
 };
-Measured at_end(const StudyCell& c) { return {c.particles_per_target, c.b_over_a, c.m_1, c.p_eer}; }
+Measured at_end(const StudyCell& c) {
+  return {c.particles_per_target, c.b_over_a, c.m_1, c.p_top3_eer};
+}
 Measured at_published(const StudyCell& c) {
   return c.at_published.m_1.runs == 0 ? at_end(c)
                                       : Measured{c.particles_per_target, c.at_published.b_over_a,
-                                                 c.at_published.m_1, c.at_published.p_eer};
+                                                 c.at_published.m_1, c.at_published.p_top3_eer};
 }
 
 /// The least particle number of `rungs`, which rise, from which on all are near the target.
@@ -46,7 +48,7 @@ std::optional<std::int64_t> reached(std::span<const StudyCell> rungs, const Targ
   for (std::size_t k = rungs.size(); k-- > 0;) {
     const Measured m = measured(rungs[k]);
     if (!is_near(m.b_over_a, target.b_over_a, b_over_a_within) ||
-        !is_near(m.m_1, target.m_1, m_1_within) || !is_as_often(m.p_eer, target.eer))
+        !is_near(m.m_1, target.m_1, m_1_within) || !is_as_often(m.p_top3_eer, target.eer))
       break;
     from = m.particles_per_target;
   }

@@ -35,17 +35,17 @@ std::string range(const statistics::Ensemble& e, int digits) {
 /// Columns for the time of what was published, where the study says one.
 std::string header_at(std::optional<double> time_s) {
   if (!time_s) return "";
-  return fmt::format(" b/a at {0:g} s | M_1/M at {0:g} s | P(EER) at {0:g} s |", *time_s);
+  return fmt::format(" b/a at {0:g} s | M_1/M at {0:g} s | P(EER of 3) at {0:g} s |", *time_s);
 }
 std::string row_at_published(const StudyCell::AtPublished& then) {
   return fmt::format(" {} | {} | {} |", range(then.b_over_a, 2), range(then.m_1, 2),
-                     then.m_1.runs > 0 ? fmt::format("{:.2f}", then.p_eer) : "-");
+                     then.m_1.runs > 0 ? fmt::format("{:.2f}", then.p_top3_eer) : "-");
 }
 
 std::string row(const StudyCell& c) {
   return fmt::format("| {} | `{}` | {} | {} | {} | {} | {:.2f} | {:.2f} | {} | {:.0f} |",
                      thousands(c.particles_per_target), c.scheme, c.m_1.runs, range(c.b_over_a, 2),
-                     range(c.m_1, 2), range(c.period_h, 1), c.p_eer, c.unsettled, c.classes,
+                     range(c.m_1, 2), range(c.period_h, 1), c.p_top3_eer, c.unsettled, c.classes,
                      c.core_seconds.mean);
 }
 
@@ -98,7 +98,7 @@ std::string study_page(const Study& study, const std::vector<StudyCell>& cells,
                        const std::vector<Reach>& reaches) {
   std::string page = fmt::format(
       "# {}\n\nMade by `eerie converge`; do not edit. Of the largest remnant: mean and standard "
-      "deviation of single runs over seeds. P(EER): part of the runs with a remnant of b/a < "
+      "deviation of single runs over seeds. P(EER of 3): part of the runs with a remnant of b/a < "
       "{:g} among the three largest, of {:g} of the mass at least. Unsettled: part of the runs "
       "that ended with remnants still to meet. \"Near\": means "
       "within {:g} in b/a and {:g} in M_1/M; \"as published\": that, and an EER in more than half "
@@ -112,7 +112,8 @@ std::string study_page(const Study& study, const std::vector<StudyCell>& cells,
     if (const std::string text = published_text(one.published); !text.empty())
       page += "Published: " + text + ".\n\n";
     page +=
-        "| particles per target | scheme | runs | b/a | M_1/M | period, h | P(EER) | unsettled | "
+        "| particles per target | scheme | runs | b/a | M_1/M | period, h | P(EER of 3) | "
+        "unsettled | "
         "classes | core-s |" +
         header_at(study.published_at_s) + "\n|---|---|---|---|---|---|---|---|---|---|" +
         (study.published_at_s ? "---|---|---|\n" : "\n");

@@ -27,25 +27,25 @@ StudyCell::AtPublished at_published(Runs runs) {
                                }),
           results::ensemble_of(
               runs, [](const StudyResult& r) { return r.at_published.front().spin_period_h; }),
-          results::fraction_of(
-              runs, [](const StudyResult& r) { return results::has_eer(r.at_published); })};
+          results::fraction_of(runs, [](const StudyResult& r) {
+            return results::has_eer(r.row.result, r.at_published, results::EerAmong::three_largest);
+          })};
 }
 
 StudyCell cell_of(const Runs& runs) {
   const StudyRun& first = runs.front()->run;
-  return {
-      first.scheme,
-      first.case_name,
-      first.particles_per_target,
-      results::ensemble_of(runs, results::of_largest(&db::Remnant::b_over_a)),
-      results::ensemble_of(runs, results::of_largest(&db::Remnant::c_over_a)),
-      results::ensemble_of(runs, results::largest_mass),
-      results::ensemble_of(runs, results::of_largest(&db::Remnant::spin_period_h)),
-      results::ensemble_of(runs, results::core_seconds_of),
-      results::fraction_of(runs, [](const StudyResult& r) { return !r.row.result.settled; }),
-      results::fraction_of(runs, [](const StudyResult& r) { return results::has_eer(r.remnants); }),
-      results::classes_of(runs),
-      at_published(runs)};
+  return {first.scheme,
+          first.case_name,
+          first.particles_per_target,
+          results::ensemble_of(runs, results::of_largest(&db::Remnant::b_over_a)),
+          results::ensemble_of(runs, results::of_largest(&db::Remnant::c_over_a)),
+          results::ensemble_of(runs, results::largest_mass),
+          results::ensemble_of(runs, results::of_largest(&db::Remnant::spin_period_h)),
+          results::ensemble_of(runs, results::core_seconds_of),
+          results::fraction_of(runs, [](const StudyResult& r) { return !r.row.result.settled; }),
+          results::p_eer(runs, results::EerAmong::three_largest),
+          results::classes_of(runs),
+          at_published(runs)};
 }
 
 figures::ConvergencePoint point(const StudyCell& cell, const statistics::Ensemble& e) {
@@ -123,10 +123,10 @@ std::string cells_csv(const std::vector<StudyCell>& cells) {
   std::string csv = "scheme,case,particles_per_target,runs";
   for (const char* name : {"b_over_a", "c_over_a", "m_1_over_m_total", "period_h", "core_s"})
     csv += fmt::format(",{0}_mean,{0}_deviation,{0}_min,{0}_max", name);
-  csv += ",unsettled,p_eer,classes,runs_at_published";
+  csv += ",unsettled,p_top3_eer,classes,runs_at_published";
   for (const char* name : {"b_over_a", "m_1_over_m_total", "period_h"})
     csv += fmt::format(",{0}_at_published_mean,{0}_at_published_deviation", name);
-  csv += ",p_eer_at_published\n";
+  csv += ",p_top3_eer_at_published\n";
   for (const StudyCell& c : cells) {
     csv += fmt::format("{},{},{},{}", c.scheme, c.case_name, c.particles_per_target, c.m_1.runs);
     for (const statistics::Ensemble* e :
@@ -134,12 +134,12 @@ std::string cells_csv(const std::vector<StudyCell>& cells) {
       csv += e->runs == 0 ? ",,,,"
                           : fmt::format(",{:.4g},{:.3g},{:.4g},{:.4g}", e->mean, e->deviation,
                                         e->low, e->high);
-    csv += fmt::format(",{:.3g},{:.3g},{}", c.unsettled, c.p_eer, c.classes);
+    csv += fmt::format(",{:.3g},{:.3g},{}", c.unsettled, c.p_top3_eer, c.classes);
     const StudyCell::AtPublished& then = c.at_published;
     csv += fmt::format(",{}", then.m_1.runs);
     for (const statistics::Ensemble* e : {&then.b_over_a, &then.m_1, &then.period_h})
       csv += e->runs == 0 ? ",," : fmt::format(",{:.4g},{:.3g}", e->mean, e->deviation);
-    csv += then.m_1.runs == 0 ? ",\n" : fmt::format(",{:.3g}\n", then.p_eer);
+    csv += then.m_1.runs == 0 ? ",\n" : fmt::format(",{:.3g}\n", then.p_top3_eer);
   }
   return csv;
 }

@@ -24,13 +24,14 @@ struct StudyCell {
   std::string scheme, case_name;
   std::int64_t particles_per_target = 0;
   statistics::Ensemble b_over_a, c_over_a, m_1, period_h, core_seconds;
-  double unsettled = 0, p_eer = 0;  ///< parts of the runs; EER: one of the three largest remnants
-  std::string classes;              ///< "hit-and-run 1; perfect-merging 5"
+  double unsettled = 0,
+         p_top3_eer = 0;  ///< parts of the runs; EER: one of the three largest remnants
+  std::string classes;    ///< "hit-and-run 1; perfect-merging 5"
   /// The same when what is published was measured, of the runs of which that is known; without a
   /// Study::published_at_s of none.
   struct AtPublished {
     statistics::Ensemble b_over_a, m_1, period_h;
-    double p_eer = 0;
+    double p_top3_eer = 0;
   } at_published = {};
 };
 

@@ -4,8 +4,6 @@
 #include <SQLiteCpp/Statement.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include "db/jobs/rows.hpp"
 #include "db/store/bind.hpp"
@@ -53,58 +51,34 @@ bool same_place(const MapPoint& a, const MapPoint& b) {
          a.theta_imp_deg == b.theta_imp_deg && a.settings == b.settings;
 }
 
-/// The jobs of one place, as they come.
-class Tally {
- public:
-  void add(MapPoint& p, const SQLite::Statement& row) {
-    ++p.jobs;
-    if (const SQLite::Column name = row.getColumn("fidelity"); !name.isNull())
-      p.fidelity = name.getString();
-    const std::string state = row.getColumn("state").getString();
-    p.done += state == name(job_state_names, JobState::done);
-    p.failed += state == name(job_state_names, JobState::failed);
-    if (row.getColumn("class").isNull()) return;
-    ++p.results;
-    ++p.classes[row.getColumn("class").getString()];
-    const int n_eer = row.getColumn("n_eer").getInt(), eer = row.getColumn("eer").getInt() != 0;
-    p.largest_is_eer += eer;
-    p.smaller_is_eer += n_eer > eer;
-    p.unsettled += row.getColumn("settled").getInt() == 0;
-    p.stale += row.getColumn("stale").getInt() != 0;
-    note(b_over_a_, row.getColumn("b_over_a"));
-    note(c_over_a_, row.getColumn("c_over_a"));
-    note(period_h_, row.getColumn("period_h"));
-    note(m_lr_, row.getColumn("m_lr_over_m_total"));
-    note(n_eer_, row.getColumn("n_eer"));
-  }
+void note(std::vector<double>& numbers, const SQLite::Column& column) {
+  if (!column.isNull()) numbers.push_back(column.getDouble());
+}
 
-  void finish(MapPoint& p) const {
-    p.b_over_a = spread(b_over_a_), p.c_over_a = spread(c_over_a_);
-    p.period_h = spread(period_h_), p.m_lr_over_m_total = spread(m_lr_), p.n_eer = spread(n_eer_);
-  }
-
- private:
-  static void note(std::vector<double>& numbers, const SQLite::Column& column) {
-    if (!column.isNull()) numbers.push_back(column.getDouble());
-  }
-  std::vector<double> b_over_a_, c_over_a_, period_h_, m_lr_, n_eer_;
-};
+/// A job of the place.
+void add(MapPoint& p, const SQLite::Statement& row) {
+  ++p.jobs;
+  if (const SQLite::Column name = row.getColumn("fidelity"); !name.isNull())
+    p.fidelity = name.getString();
+  const std::string state = row.getColumn("state").getString();
+  p.done += state == name(job_state_names, JobState::done);
+  p.failed += state == name(job_state_names, JobState::failed);
+  if (row.getColumn("class").isNull()) return;
+  ++p.results;
+  ++p.classes[row.getColumn("class").getString()];
+  const int n_eer = row.getColumn("n_eer").getInt(), eer = row.getColumn("eer").getInt() != 0;
+  p.largest_is_eer += eer;
+  p.smaller_is_eer += n_eer > eer;
+  p.unsettled += row.getColumn("settled").getInt() == 0;
+  p.stale += row.getColumn("stale").getInt() != 0;
+  note(p.b_over_a, row.getColumn("b_over_a"));
+  note(p.c_over_a, row.getColumn("c_over_a"));
+  note(p.period_h, row.getColumn("period_h"));
+  note(p.m_lr_over_m_total, row.getColumn("m_lr_over_m_total"));
+  note(p.n_eer, row.getColumn("n_eer"));
+}
 
 }  // namespace
-
-Spread spread(const std::vector<double>& numbers) {
-  Spread s;
-  s.count = std::ssize(numbers);
-  if (numbers.empty()) return s;
-  const auto n = static_cast<double>(numbers.size());
-  const double mean = std::accumulate(numbers.begin(), numbers.end(), 0.0) / n;
-  s.mean = mean;
-  if (numbers.size() < 2) return s;
-  double squares = 0;
-  for (const double x : numbers) squares += (x - mean) * (x - mean);
-  s.std_dev = std::sqrt(squares / (n - 1));
-  return s;
-}
 
 std::string MapPoint::outcome_class() const {
   const auto most =
@@ -122,17 +96,11 @@ std::vector<MapPoint> map_points(const Connection& connection, const MapFilter& 
     bind_named(select, ":particles", filter.particles_per_target);
     bind_named(select, ":fidelity", filter.fidelity);
     bind_named(select, ":settings", filter.settings);
-    Tally tally;
     while (select.executeStep()) {
       const MapPoint here = place(select);
-      if (points.empty() || !same_place(points.back(), here)) {
-        if (!points.empty()) tally.finish(points.back());
-        points.push_back(here);
-        tally = {};
-      }
-      tally.add(points.back(), select);
+      if (points.empty() || !same_place(points.back(), here)) points.push_back(here);
+      add(points.back(), select);
     }
-    if (!points.empty()) tally.finish(points.back());
   });
   return points;
 }

@@ -10,14 +10,6 @@
 
 namespace eerie::db {
 
-/// A number over the results of one place.
-struct Spread {
-  std::int64_t count = 0;              ///< results that have the number
-  std::optional<double> mean = {};     ///< empty: none has
-  std::optional<double> std_dev = {};  ///< of the sample, over count - 1; empty: fewer than two
-};
-Spread spread(const std::vector<double>& numbers);
-
 /// One place of a map: all jobs with this speed and angle and the same settings; they differ in
 /// seed. Results of another solver version count as they stand.
 struct MapPoint {
@@ -27,16 +19,17 @@ struct MapPoint {
   std::string fidelity = {};  ///< empty: settings without a name
   std::int64_t jobs = 0, done = 0, failed = 0;
   std::int64_t results = 0;  ///< of these, `stale` made by another solver version, `unsettled`
-  std::int64_t stale = 0, unsettled = 0;               ///< with remnants that will meet again
-  Spread b_over_a = {}, c_over_a = {}, period_h = {};  ///< of the largest remnant
-  Spread m_lr_over_m_total = {}, n_eer = {};
+  std::int64_t stale = 0, unsettled = 0;  ///< with remnants that will meet again
+  /// Numbers of those results that have them; b/a, c/a and period of the largest remnant.
+  std::vector<double> b_over_a = {}, c_over_a = {}, period_h = {}, m_lr_over_m_total = {},
+                      n_eer = {};
   std::int64_t largest_is_eer = 0, smaller_is_eer = 0;  ///< results in which it is so
   std::map<std::string, std::int64_t> classes = {};     ///< results of each
 
   /// The most frequent class, of equals the first by name; empty without results.
   std::string outcome_class() const;
-  /// Fraction of the results; 0 without any.
-  double p_eer() const { return share(largest_is_eer); }
+  /// The fraction of the results whose largest remnant is an EER; 0 without any result.
+  double p_largest_eer() const { return share(largest_is_eer); }
   double share(std::int64_t of_results) const {
     return results == 0 ? 0 : static_cast<double>(of_results) / static_cast<double>(results);
   }

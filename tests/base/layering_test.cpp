@@ -72,7 +72,7 @@ const std::map<std::string, Rooms> allowed = {
       "analysis/statistics", "analysis/paper", "analysis/diagrams"}},
     {"campaign/maps",
      {"campaign/sweeps", "campaign/text", "db/store", "db/jobs", "db/views", "analysis/paper",
-      "analysis/remnants", "analysis/diagrams"}},
+      "analysis/remnants", "analysis/statistics", "analysis/diagrams"}},
     {"campaign/catalogue",
      {"campaign/sweeps", "campaign/text", "db/store", "db/jobs", "db/views", "analysis/paper"}},
 };

@@ -30,12 +30,12 @@ std::string range(const statistics::Ensemble& e, int digits) {
 
 std::string table_of(const std::vector<studies::StudyCell>& cells) {
   std::vector<std::vector<std::string>> rows = {{"case", "scheme", "particles", "runs", "b/a",
-                                                 "c/a", "M_1/M", "period h", "P(EER)", "unsettled",
-                                                 "core-s"}};
+                                                 "c/a", "M_1/M", "period h", "P(EER of 3)",
+                                                 "unsettled", "core-s"}};
   for (const studies::StudyCell& c : cells)
     rows.push_back({c.case_name, c.scheme, fmt::format("{}", c.particles_per_target),
                     fmt::format("{}", c.m_1.runs), range(c.b_over_a, 3), range(c.c_over_a, 3),
-                    range(c.m_1, 3), range(c.period_h, 1), fmt::format("{:.2f}", c.p_eer),
+                    range(c.m_1, 3), range(c.period_h, 1), fmt::format("{:.2f}", c.p_top3_eer),
                     fmt::format("{:.2f}", c.unsettled),
                     fmt::format("{:.0f}", c.core_seconds.mean)});
   return text_table(rows);

@@ -36,13 +36,13 @@ TEST(MapQuantity, WordsAreAsShortAsTheNumberAllows) {
   EXPECT_EQ(value_words(MapQuantity::period, 9.36), "9.4");
   EXPECT_EQ(value_words(MapQuantity::period, 9.96), "10");
   EXPECT_EQ(value_words(MapQuantity::period, 123.4), "123");
-  EXPECT_EQ(value_words(MapQuantity::p_eer, 1), "1");
-  EXPECT_EQ(value_words(MapQuantity::p_eer, 0.25), "0.25");
+  EXPECT_EQ(value_words(MapQuantity::p_largest_eer, 1), "1");
+  EXPECT_EQ(value_words(MapQuantity::p_largest_eer, 0.25), "0.25");
 }
 
 TEST(MapScale, OfAFractionGoesFromNoneToAll) {
-  for (const MapQuantity quantity :
-       {MapQuantity::b_over_a, MapQuantity::c_over_a, MapQuantity::m_lr, MapQuantity::p_eer}) {
+  for (const MapQuantity quantity : {MapQuantity::b_over_a, MapQuantity::c_over_a,
+                                     MapQuantity::m_lr, MapQuantity::p_largest_eer}) {
     const MapScale scale = map_scale(quantity, {{20, 15, CellState::done, 0.5}});
     EXPECT_EQ(scale.low, 0);
     EXPECT_EQ(scale.high, 1);
@@ -77,12 +77,12 @@ TEST(MapScale, LeavesOutWhatHasNoResult) {
 }
 
 TEST(MapScale, OfEersGrowsDarkerAndOthersGrowLighter) {
-  for (const MapQuantity quantity : {MapQuantity::p_eer, MapQuantity::m_lr}) {
+  for (const MapQuantity quantity : {MapQuantity::p_largest_eer, MapQuantity::m_lr}) {
     const MapScale scale{quantity};
     for (double part = 0; part < 0.95; part += 0.05) {
       const double change =
           drawing::lightness(scale.at_part(part + 0.05)) - drawing::lightness(scale.at_part(part));
-      EXPECT_GT(quantity == MapQuantity::p_eer ? -change : change, 0) << part;
+      EXPECT_GT(quantity == MapQuantity::p_largest_eer ? -change : change, 0) << part;
     }
   }
 }

@@ -134,7 +134,7 @@ TEST(StudyCells, CollectSeedsOfOneSchemeCaseAndParticleNumber) {
   EXPECT_EQ(cells[0].b_over_a.runs, 4u);
   EXPECT_NEAR(cells[0].b_over_a.mean, 0.325, 1e-12);
   EXPECT_EQ(cells[0].period_h.runs, 0u);  // none spins
-  EXPECT_NEAR(cells[0].p_eer, 0.25, 1e-12);
+  EXPECT_NEAR(cells[0].p_top3_eer, 0.25, 1e-12);
   EXPECT_EQ(cells[0].classes, "hit-and-run 3; perfect-merging 1");
   EXPECT_THAT(cells_csv(cells), HasSubstr("dual,fast,300,4,0.325,"));
   EXPECT_THAT(runs_csv(results), HasSubstr("dual,fast,300,1,perfect-merging,1,"));
@@ -153,7 +153,7 @@ TEST(StudyCells, CountAnElongatedRemnantThatIsNotTheLargestButNoFragment) {
   const auto p_eer_with = [&](double mass) {
     StudyResult r = result(runs.front(), 0.6);
     r.remnants.push_back({.rank = 2, .mass_over_total = mass, .b_over_a = 0.25});
-    return cells_of(study, {r}).at(0).p_eer;
+    return cells_of(study, {r}).at(0).p_top3_eer;
   };
   EXPECT_EQ(p_eer_with(0.12), 1);
   EXPECT_EQ(p_eer_with(0.003), 0);
@@ -199,7 +199,7 @@ TEST(PublishedTime, IsLookedUpInRunsThatWentOnAndIsTheEndOfOthers) {
   EXPECT_EQ(cell.at_published.b_over_a.runs, 2u);  // of the third it is not known
   EXPECT_NEAR(cell.at_published.b_over_a.mean, 0.5, 1e-12);
   EXPECT_NEAR(cell.at_published.m_1.mean, 0.7, 1e-12);
-  EXPECT_EQ(cell.at_published.p_eer, 0.5);  // the second remnant of the second run
+  EXPECT_EQ(cell.at_published.p_top3_eer, 0.5);  // the second remnant of the second run
   EXPECT_THAT(cells_csv({cell}), HasSubstr(",2,0.5,0.141,0.7,0.283,8,0,0.5\n"));
   const auto figure = figure_of(study, study.cases[0], {cell});
   ASSERT_TRUE(figure);

@@ -195,8 +195,8 @@ TEST(ChartCases, SayWhatEachSettingMakesOfEachImpact) {
   EXPECT_NEAR(rounder.b_over_a.mean, 0.4, 1e-12);
   EXPECT_NEAR(rounder.b_over_a.deviation, std::sqrt(2) * 0.01, 1e-12);
   EXPECT_NEAR(rounder.m_1.mean, 0.9, 1e-12);
-  EXPECT_EQ(rounder.p_eer, 0.5);
-  EXPECT_EQ(cells[2].p_eer, 1);
+  EXPECT_EQ(rounder.p_top3_eer, 0.5);
+  EXPECT_EQ(cells[2].p_top3_eer, 1);
   const std::string csv = chart_cells_csv(study, cells);
   EXPECT_THAT(csv, HasSubstr("\"cfl\",\"0.4\",fast,2,0.4,0.0141,0.2,0,0.9,0,8.8,0,10,0,0.5,"
                              "perfect-merging 2\n"));

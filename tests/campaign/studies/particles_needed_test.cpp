@@ -65,10 +65,10 @@ TEST(Reach, OfThePublishedNumberEndsWhereTheFinestMissesIt) {
 
 TEST(Reach, OfAPublishedEerAsksForItInMostRuns) {
   std::vector<StudyCell> cells = {cell(1000, 0.4, 0.9), cell(2000, 0.4, 0.9), cell(5000, 0.4, 0.9)};
-  cells[0].p_eer = 0.5, cells[1].p_eer = 0.6, cells[2].p_eer = 1;
+  cells[0].p_top3_eer = 0.5, cells[1].p_top3_eer = 0.6, cells[2].p_top3_eer = 1;
   EXPECT_EQ(reach_of(cells, {{"eer", true}}).published, 2000);
   EXPECT_EQ(reach_of(cells, {{"eer", false}}).published, std::nullopt);
-  for (StudyCell& c : cells) c.p_eer = 1 - c.p_eer;
+  for (StudyCell& c : cells) c.p_top3_eer = 1 - c.p_top3_eer;
   EXPECT_EQ(reach_of(cells, {{"eer", false}}).published, 2000);
   EXPECT_EQ(reach_of(cells, {{"eer", true}, {"b_over_a", 0.4}}).published, std::nullopt);
   EXPECT_FALSE(reach_of(cells).has_published);
@@ -78,7 +78,7 @@ TEST(Reach, OfPublishedNumbersLooksAtTheTimeWhenTheyWereMeasured) {
   StudyCell met_later = cell(1000, 0.6, 0.9);
   met_later.at_published.b_over_a = statistics::ensemble({0.25});
   met_later.at_published.m_1 = statistics::ensemble({0.5});
-  met_later.at_published.p_eer = 1;
+  met_later.at_published.p_top3_eer = 1;
   const json published = {{"b_over_a", 0.24}, {"m_1_over_m_total", 0.5}, {"eer", true}};
   EXPECT_EQ(reach_of({met_later}, published).published, 1000);
   EXPECT_EQ(reach_of({met_later}, {{"b_over_a", 0.6}}).published, std::nullopt);
