@@ -9,13 +9,14 @@
 
 #include "analysis/diagrams/phase_diagram.hpp"
 #include "analysis/drawing/palette.hpp"
+#include "analysis/drawing/script.hpp"
 
 namespace eerie::diagrams {
 
 struct QuantityName {
   MapQuantity quantity;
   std::string_view token;  ///< on the command line and in names of files
-  std::string_view title;  ///< with its unit and gnuplot's markup
+  drawing::Literal title;  ///< with its unit and gnuplot's markup
 };
 inline constexpr std::array<QuantityName, 7> quantity_names = {{
     {MapQuantity::b_over_a, "b/a", "b/a of the largest remnant"},

@@ -74,7 +74,7 @@ std::string basis(const PhaseCell& cell) {
 namespace {
 
 bool fits(const std::string& words, double size, const drawing::Area& area) {
-  return drawing::text_width(words, size) + 1 <= area.width();
+  return drawing::text_width(drawing::in_quotes(words), size) + 1 <= area.width();
 }
 
 /// "0.24", ".24" where that has no room, or nothing.
@@ -99,10 +99,11 @@ std::string letter_text(const PhaseCell& cell, const drawing::Area& area) {
 void cell_text(drawing::Canvas& canvas, drawing::Point at, const std::string& words, double size,
                drawing::Colour fill, bool bold) {
   if (words.empty()) return;
-  const double half_width = drawing::text_width(words, size) / 2 + 0.3, half_height = 0.55 * size;
+  const drawing::Quoted shown = drawing::in_quotes(words);
+  const double half_width = drawing::text_width(shown, size) / 2 + 0.3, half_height = 0.55 * size;
   canvas.patch({{at.x - half_width, at.y - half_height}, {at.x + half_width, at.y + half_height}},
                fill);
-  canvas.text(at, words, {.size = size, .colour = drawing::text_colour(fill), .bold = bold});
+  canvas.text(at, shown, {.size = size, .colour = drawing::text_colour(fill), .bold = bold});
 }
 
 struct Words {

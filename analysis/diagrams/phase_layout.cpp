@@ -24,19 +24,19 @@ std::size_t columns_of(std::size_t panels) { return panels <= 3 ? 1 : panels <= 
 
 double panel_height(std::size_t panels) { return panels == 1 ? 150 : panels <= 8 ? 128 : 104; }
 
-std::string of_settings(const PhaseDiagram& d) {
-  if (d.particles_per_target == 0) return "";
-  return fmt::format("{}{}{} particles per target", d.fidelity, d.fidelity.empty() ? "" : ": ",
-                     d.particles_per_target);
+drawing::Quoted of_settings(const PhaseDiagram& d) {
+  if (d.particles_per_target == 0) return {};
+  return drawing::in_quotes(fmt::format("{}{}{} particles per target", d.fidelity,
+                                        d.fidelity.empty() ? "" : ": ", d.particles_per_target));
 }
 
 // The spaces beside subscripts do not break: SVG viewers drop ordinary ones.
-std::string of_point(const PhaseDiagram& d) {
-  return fmt::format("q = {:g},  φ_d\u00a0= {:g}°", d.q, d.phi_d_deg);
+drawing::Quoted of_point(const PhaseDiagram& d) {
+  return drawing::marked_up("q = {:g},  φ_d\u00a0= {:g}°", d.q, d.phi_d_deg);
 }
 
-std::string joined(const std::string& a, const std::string& b) {
-  return a + (a.empty() || b.empty() ? "" : ",  ") + b;
+drawing::Quoted joined(const drawing::Quoted& a, const drawing::Quoted& b) {
+  return a + drawing::in_quotes(a.empty() || b.empty() ? "" : ",  ") + b;
 }
 
 /// The same constant in all panels stands in the legend.
@@ -73,9 +73,10 @@ std::vector<PhasePanel> panels_of(const PhaseFigure& figure) {
       if (figure.diagrams.size() > 1) {
         panel.title = of_point(d);
         if (curves_differ(figure) && d.threshold_cm_per_s)
-          panel.title += fmt::format(",  v sin θ = {:g} cm/s", *d.threshold_cm_per_s);
+          panel.title =
+              panel.title + drawing::marked_up(",  v sin θ = {:g} cm/s", *d.threshold_cm_per_s);
       } else if (figure.quantities.size() > 1 && quantity == MapQuantity::outcome) {
-        panel.title = name_of(quantity).title;
+        panel.title = drawing::marked_up("{}", name_of(quantity).title);
       }
       panels.push_back(std::move(panel));
     }
@@ -87,7 +88,7 @@ std::vector<PhasePanel> panels_of(const PhaseFigure& figure) {
 double bar_title_distance(const MapScale& scale) {
   double widest = 0;
   for (const double tick : scale.ticks)
-    widest = std::max(widest, drawing::text_width(fmt::format("{:g}", tick), tick_size));
+    widest = std::max(widest, drawing::text_width(drawing::marked_up("{:g}", tick), tick_size));
   return 8 + widest;
 }
 

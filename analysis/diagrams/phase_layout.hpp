@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "analysis/diagrams/phase_cells.hpp"
@@ -12,7 +11,7 @@ struct PhasePanel {
   const PhaseDiagram* diagram = nullptr;
   MapScale scale;
   PanelFrame frame;
-  std::string title = {};  ///< empty: the figure's says it
+  drawing::Quoted title = {};  ///< empty: the figure's says it
   bool labels_left = true, labels_below = true, labels_above = true;
   bool bar = true;  ///< a colour bar of its own on its right
 };
@@ -21,7 +20,7 @@ struct PhasePanel {
 /// journal; more panels as wide as its page.
 struct PhaseLayout {
   double width = 0, height = 0;
-  std::string title;
+  drawing::Quoted title;
   std::vector<PhasePanel> panels;
   bool shared_bar = false;
   drawing::Area bar = {};      ///< of the shared colour bar

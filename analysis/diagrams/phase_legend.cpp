@@ -37,9 +37,9 @@ bool lacks_a_value(const PhaseFigure& figure) {
 
 PhaseLegend::PhaseLegend(const PhaseFigure& figure, double width_pt) {
   add_curve(figure);
-  if (shows(figure, MapQuantity::b_over_a)) entries_.push_back({Mark::blue, "", "EER (b/a < 0.3)"});
+  if (shows(figure, MapQuantity::b_over_a)) add(Mark::blue, {}, "EER (b/a < 0.3)");
   if (any(figure, [](const PhaseCell& c) { return c.has_result() && c.smaller_eer; }))
-    entries_.push_back({Mark::corner, "", "a smaller remnant is an EER"});
+    add(Mark::corner, {}, "a smaller remnant is an EER");
   add_classes(figure);
   add_states(figure);
   double x = 0;
@@ -52,48 +52,52 @@ PhaseLegend::PhaseLegend(const PhaseFigure& figure, double width_pt) {
   }
 }
 
+void PhaseLegend::add(Mark mark, std::string_view letter, std::string_view words,
+                      std::optional<drawing::Colour> fill) {
+  entries_.push_back({mark, drawing::in_quotes(letter), drawing::in_quotes(words), fill});
+}
+
 void PhaseLegend::add_curve(const PhaseFigure& figure) {
   std::vector<double> constants;
   for (const PhaseDiagram& d : figure.diagrams)
     if (d.threshold_cm_per_s) constants.push_back(*d.threshold_cm_per_s);
   if (constants.empty()) return;
   const bool same = std::ranges::count(constants, constants.front()) == std::ssize(constants);
-  entries_.push_back({Mark::curve, "",
-                      same ? fmt::format("v sin θ = {:.3g} cm/s", constants.front())
-                           : "v sin θ as in the panel's title"});
+  add(Mark::curve, {},
+      same ? fmt::format("v sin θ = {:.3g} cm/s", constants.front())
+           : "v sin θ as in the panel's title");
 }
 
 void PhaseLegend::add_classes(const PhaseFigure& figure) {
   const bool coloured = shows(figure, MapQuantity::outcome);
   for (const remnants::OutcomeName& row : remnants::outcome_names)
     if (any(figure, [&](const PhaseCell& c) { return c.has_result() && c.outcome == row.name; }))
-      entries_.push_back({Mark::letter, std::string(row.short_name), std::string(row.name),
-                          coloured ? std::optional(outcome_colour(row.name)) : std::nullopt});
+      add(Mark::letter, row.short_name, row.name,
+          coloured ? std::optional(outcome_colour(row.name)) : std::nullopt);
   if (coloured &&
       any(figure, [](const PhaseCell& c) { return c.has_result() && c.class_share < 1; }))
-    entries_.push_back({Mark::letter, "%", "of the seeds, where they differ"});
+    add(Mark::letter, "%", "of the seeds, where they differ");
 }
 
 void PhaseLegend::add_states(const PhaseFigure& figure) {
   for (const char* fidelity : {"sketch", "survey", "paper"})
     if (any(figure, [&](const PhaseCell& c) { return c.fidelity == fidelity; }))
-      entries_.push_back({Mark::letter, map_mark::basis({.fidelity = fidelity, .seeds = 4}),
-                          fmt::format("4 seeds, {}", fidelity)});
-  if (any(figure, [](const PhaseCell& c) { return c.in_doubt; }))
-    entries_.push_back({Mark::doubt, "", "in doubt"});
+      add(Mark::letter, map_mark::basis({.fidelity = fidelity, .seeds = 4}),
+          fmt::format("4 seeds, {}", fidelity));
+  if (any(figure, [](const PhaseCell& c) { return c.in_doubt; })) add(Mark::doubt, {}, "in doubt");
   if (any(figure, [](const PhaseCell& c) { return c.state == CellState::unsettled; }))
-    entries_.push_back({Mark::unsettled, "", "unsettled: pieces will meet again"});
+    add(Mark::unsettled, {}, "unsettled: pieces will meet again");
   if (any(figure, [](const PhaseCell& c) { return c.has_result() && c.stale; }))
-    entries_.push_back({Mark::stale, "", "stale: of another solver version"});
-  if (lacks_a_value(figure)) entries_.push_back({Mark::letter, "–", "has no such number"});
+    add(Mark::stale, {}, "stale: of another solver version");
+  if (lacks_a_value(figure)) add(Mark::letter, "–", "has no such number");
   if (any(figure, [](const PhaseCell& c) { return c.state == CellState::failed; }))
-    entries_.push_back({Mark::failed, "", "failed"});
+    add(Mark::failed, {}, "failed");
   if (any(figure, [](const PhaseCell& c) { return c.state == CellState::pending; }))
-    entries_.push_back({Mark::pending, "", "not run yet"});
+    add(Mark::pending, {}, "not run yet");
   if (std::ranges::any_of(figure.diagrams, [](const PhaseDiagram& d) {
         return std::ranges::count(CellGrid(d).cells, nullptr) > 0;
       }))
-    entries_.push_back({Mark::missing, "", "no job"});
+    add(Mark::missing, {}, "no job");
 }
 
 double PhaseLegend::height_pt() const {

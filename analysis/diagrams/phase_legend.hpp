@@ -1,7 +1,7 @@
 #pragma once
 
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/diagrams/phase_diagram.hpp"
@@ -31,11 +31,13 @@ class PhaseLegend {
   };
   struct Entry {
     Mark mark;
-    std::string letter, words;
+    drawing::Quoted letter, words;
     std::optional<drawing::Colour> fill = {};  ///< behind a letter
     double x = 0;
     int row = 0;
   };
+  void add(Mark mark, std::string_view letter, std::string_view words,
+           std::optional<drawing::Colour> fill = {});
   void add_curve(const PhaseFigure& figure);
   void add_classes(const PhaseFigure& figure);
   void add_states(const PhaseFigure& figure);

@@ -1,7 +1,5 @@
 #include "analysis/diagrams/phase_script.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -13,19 +11,26 @@ namespace eerie::diagrams {
 
 namespace {
 
+using drawing::Script, drawing::script;
+
+/// Before the next word of a list.
+drawing::Literal separator(const Script& list) {
+  return list.empty() ? drawing::Literal("") : drawing::Literal(", ");
+}
+
 /// gnuplot's list of ticks at the given data values: ("15" 15, ...); words that would touch are
 /// left out. `upwards`: along the vertical axis.
-std::string tick_list(const std::vector<double>& values, double points_per_unit, double unit = 1,
-                      bool upwards = false) {
-  std::string list;
+Script tick_list(const std::vector<double>& values, double points_per_unit, double unit = 1,
+                 bool upwards = false) {
+  Script list;
   double free_from = -1e300;
   for (const double value : values) {
-    const std::string words = fmt::format("{:g}", value);
+    const drawing::Quoted words = drawing::marked_up("{:g}", value);
     const double at = value * unit * points_per_unit;
     const double half = upwards ? tick_size / 2 : drawing::text_width(words, tick_size) / 2;
     const bool fits = at - half >= free_from;
     if (fits) free_from = at + half + 2.5;
-    list += fmt::format("{}\"{}\" {}", list.empty() ? "" : ", ", fits ? words : "", value * unit);
+    list += script("{}{} {}", separator(list), fits ? words : drawing::Quoted(), value * unit);
   }
   return "(" + list + ")";
 }
@@ -54,28 +59,28 @@ TickValues tick_values(const PhaseFigure& figure, const PanelFrame& frame) {
   return ticks;
 }
 
-std::string axes(const PhasePanel& panel, const TickValues& values, const PhaseLayout& page) {
+Script axes(const PhasePanel& panel, const TickValues& values, const PhaseLayout& page) {
   const PanelFrame& f = panel.frame;
   const drawing::Area& a = f.area;
   const double across = a.width() / (f.v_high - f.v_low);
   const double upwards = a.height() / (f.theta_high - f.theta_low);
-  std::string text = fmt::format(
+  Script text = script(
       "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\n"
       "set tmargin at screen {}\n",
       a.low.x / page.width, a.high.x / page.width, a.low.y / page.height, a.high.y / page.height);
-  text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", f.v_low, f.v_high, f.theta_low,
-                      f.theta_high);
-  text += fmt::format("set xtics {} nomirror out scale 0.5 offset 0,0.4 font ',{}'\n",
-                      tick_list(values.v, across), tick_size);
-  text += fmt::format("set ytics {} nomirror out scale 0.5 offset 0.5,0 font ',{}'\n",
-                      tick_list(values.theta, upwards, 1, true), tick_size);
+  text += script("set xrange [{}:{}]\nset yrange [{}:{}]\n", f.v_low, f.v_high, f.theta_low,
+                 f.theta_high);
+  text += script("set xtics {} nomirror out scale 0.5 offset 0,0.4 font ',{}'\n",
+                 tick_list(values.v, across), tick_size);
+  text += script("set ytics {} nomirror out scale 0.5 offset 0.5,0 font ',{}'\n",
+                 tick_list(values.theta, upwards, 1, true), tick_size);
   if (!panel.labels_below) text += "unset xtics\n";
   if (!panel.labels_left) text += "unset ytics\n";
   text += "unset x2tics\n";
   if (panel.labels_above) {
     const double unit = panel.diagram->v_esc_cm_per_s;
     const int most = static_cast<int>(a.width() / 22);
-    text += fmt::format(
+    text += script(
         "set x2range [{}:{}]\nset x2tics {} nomirror out scale 0.5 offset 0,-0.4 font ',{}'\n",
         f.v_low, f.v_high,
         tick_list(statistics::round_ticks(f.v_low / unit, f.v_high / unit, most), across, unit),
@@ -90,31 +95,34 @@ void draw_titles(drawing::Canvas& canvas, const PhasePanel& panel) {
   const drawing::Style across{.size = 7, .colour = map_mark::ink};
   drawing::Style upwards = across;
   upwards.upwards = true;
-  if (panel.labels_below) canvas.text({middle.x, a.low.y - 17}, "v_{imp}\u00a0(cm/s)", across);
-  if (panel.labels_left) canvas.text({a.low.x - 25, middle.y}, "θ_{imp}\u00a0(deg)", upwards);
+  if (panel.labels_below)
+    canvas.text({middle.x, a.low.y - 17}, drawing::marked_up("v_{{imp}}\u00a0(cm/s)"), across);
+  if (panel.labels_left)
+    canvas.text({a.low.x - 25, middle.y}, drawing::marked_up("θ_{{imp}}\u00a0(deg)"), upwards);
   if (panel.labels_above)
-    canvas.text({middle.x, a.high.y + 18}, "v_{imp}\u00a0/\u00a0v_{esc}", across);
+    canvas.text({middle.x, a.high.y + 18}, drawing::marked_up("v_{{imp}}\u00a0/\u00a0v_{{esc}}"),
+                across);
   if (!panel.title.empty())
     canvas.text({middle.x, a.high.y + (panel.labels_above ? 29 : 6)}, panel.title, across);
 }
 
 /// gnuplot's palette and ticks go by the part of the scale, so that any scale can be drawn.
-std::string colour_bar(drawing::Canvas& canvas, const MapScale& scale, const drawing::Area& bar,
-                       const PhaseLayout& page) {
+Script colour_bar(drawing::Canvas& canvas, const MapScale& scale, const drawing::Area& bar,
+                  const PhaseLayout& page) {
   constexpr int steps = 100;
-  std::string palette, ticks;
+  Script palette, ticks;
   for (int k = 0; k <= steps; ++k) {
     const double part = static_cast<double>(k) / steps;
     // The palette of b/a jumps where remnants stop being extremely elongated.
-    if (k == 30)
-      palette += fmt::format(", {} '{}'", part, drawing::hex(scale.at_part(part - 1e-9)));
-    palette += fmt::format("{}{} '{}'", k ? ", " : "", part, drawing::hex(scale.at_part(part)));
+    if (k == 30) palette += script(", {} '{}'", part, scale.at_part(part - 1e-9));
+    palette += script("{}{} '{}'", separator(palette), part, scale.at_part(part));
   }
   for (const double tick : scale.ticks)
-    ticks += fmt::format("{}\"{:g}\" {}", ticks.empty() ? "" : ", ", tick, scale.part(tick));
+    ticks += script("{}\"{:g}\" {}", separator(ticks), tick, scale.part(tick));
   canvas.text({bar.high.x + bar_title_distance(scale), bar.centre().y},
-              name_of(scale.quantity).title, {.size = 7, .colour = map_mark::ink, .upwards = true});
-  return fmt::format(
+              drawing::marked_up("{}", name_of(scale.quantity).title),
+              {.size = 7, .colour = map_mark::ink, .upwards = true});
+  return script(
       "set palette maxcolors 0 defined ({})\nset cbrange [0:1]\n"
       "set cbtics ({}) scale 0.4 offset -0.7,0 font ',{}'\n"
       "set colorbox vertical user origin screen {},{} size screen {},{}\n",
@@ -123,23 +131,23 @@ std::string colour_bar(drawing::Canvas& canvas, const MapScale& scale, const dra
 }
 
 /// The curve v sin(theta) = threshold through a panel, as a gnuplot data block.
-std::string threshold_curve(const PhasePanel& panel) {
-  std::string block = "$curve << EOD\n";
+Script threshold_curve(const PhasePanel& panel) {
+  Script block("$curve << EOD\n");
   const double v0 = panel.frame.v_low, v1 = panel.frame.v_high;
   for (int k = 0; panel.diagram->threshold_cm_per_s && k <= 200; ++k) {
     const double v = v0 + (v1 - v0) * k / 200, sine = *panel.diagram->threshold_cm_per_s / v;
-    if (v > 0 && sine <= 1) block += fmt::format("{} {}\n", v, degrees(std::asin(sine)));
+    if (v > 0 && sine <= 1) block += script("{} {}\n", v, degrees(std::asin(sine)));
   }
   return block + "EOD\n";
 }
 
-std::string plot(const PhasePanel& panel) {
-  std::string text = "plot $none using 1:2:3 with points pt 7 lc palette";
+Script plot(const PhasePanel& panel) {
+  Script text("plot $none using 1:2:3 with points pt 7 lc palette");
   if (panel.diagram->threshold_cm_per_s)
-    text += fmt::format(
+    text += script(
         ", $curve with lines lw 2.4 lc rgb '#ffffff', "
         "$curve with lines lw 1.2 lc rgb '{}'",
-        drawing::hex(map_mark::ink));
+        map_mark::ink);
   return text + "\n";
 }
 
@@ -149,8 +157,7 @@ FigureScript phase_script(const PhaseFigure& figure) {
   const PhaseLegend legend(figure, phase_page_width(figure) - 2 * legend_margin);
   const PhaseLayout page = phase_layout(figure, legend.height_pt());
   const TickValues ticks = tick_values(figure, page.panels.front().frame);
-  std::string text =
-      "set encoding utf8\nunset key\nset border lw 0.5\n$none << EOD\n-1e9 -1e9 0\nEOD\n";
+  Script text("set encoding utf8\nunset key\nset border lw 0.5\n$none << EOD\n-1e9 -1e9 0\nEOD\n");
   text += "set multiplot\n";
   for (std::size_t k = 0; k < page.panels.size(); ++k) {
     const PhasePanel& panel = page.panels[k];
@@ -158,7 +165,7 @@ FigureScript phase_script(const PhaseFigure& figure) {
     drawing::Canvas canvas(page.width, page.height);
     draw_cells(canvas, CellGrid(*panel.diagram), panel.frame, panel.scale);
     draw_titles(canvas, panel);
-    std::string bar = "unset colorbox\n";
+    Script bar("unset colorbox\n");
     if (panel.bar)
       bar = colour_bar(canvas, panel.scale,
                        {{a.high.x + bar_gap, a.low.y}, {a.high.x + bar_gap + bar_width, a.high.y}},

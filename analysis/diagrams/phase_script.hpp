@@ -1,15 +1,14 @@
 #pragma once
 
-#include <string>
-
 #include "analysis/diagrams/phase_diagram.hpp"
+#include "analysis/drawing/script.hpp"
 
 namespace eerie::diagrams {
 
 /// A figure as gnuplot commands without the terminal line, and its size in points.
 struct FigureScript {
   double width_pt = 0, height_pt = 0;
-  std::string commands;
+  drawing::Script commands;
 };
 
 /// Lays a figure out for print (phase_layout.hpp). It was checked by the caller.

@@ -11,13 +11,15 @@ namespace eerie::disk {
 
 namespace {
 
+using drawing::Literal, drawing::Quoted, drawing::Script, drawing::script, drawing::in_quotes;
+
 constexpr double width_pt = 255, height_pt = 200;
 constexpr double left_pt = 36, right_pt = 10, top_pt = 44, bottom_pt = 26;
 // Okabe & Ito's blue and vermilion, and pale fills that differ in lightness too.
-constexpr const char *slow_colour = "#0072b2", *fast_colour = "#d55e00";
-constexpr const char *solid = "lw 1.5 dt solid", *dashed = "lw 0.9 dt (6,3)";
-constexpr const char* dotted = "lw 1.3 dt (1.5,2) lc rgb 'black'";
-constexpr const char *below_fill = "#e4eff7", *between_fill = "#fff3b8", *above_fill = "#efefef";
+constexpr Literal slow_colour = "#0072b2", fast_colour = "#d55e00";
+constexpr Literal solid = "lw 1.5 dt solid", dashed = "lw 0.9 dt (6,3)";
+constexpr Literal dotted = "lw 1.3 dt (1.5,2) lc rgb 'black'";
+constexpr Literal below_fill = "#e4eff7", between_fill = "#fff3b8", above_fill = "#efefef";
 
 struct Range {
   double low, high;
@@ -41,22 +43,22 @@ Range decades(const DiskFigure& figure) {
 double au(double r) { return r / astronomical_unit; }
 
 /// r and all contours of one law, a column each.
-std::string contour_block(const DiskFigure& figure, std::size_t law) {
+Script contour_block(const DiskFigure& figure, std::size_t law) {
   const Contours& c = figure.laws[law];
-  std::string text = fmt::format("$law{} << EOD\n", law);
+  Script text = script("$law{} << EOD\n", law);
   for (std::size_t i = 0; i < c.r.size(); ++i) {
-    text += fmt::format("{:.10g}", au(c.r[i]));
-    for (const auto& values : c.y) text += fmt::format(" {:.6g}", values[i] / figure.y_unit);
+    text += script("{:.10g}", au(c.r[i]));
+    for (const auto& values : c.y) text += script(" {:.6g}", values[i] / figure.y_unit);
     text += "\n";
   }
   return text + "EOD\n";
 }
 
-std::string published_block(const DiskFigure& figure) {
-  std::string text = "$published << EOD\n";
+Script published_block(const DiskFigure& figure) {
+  Script text("$published << EOD\n");
   for (const auto& line : figure.published) {
     for (const auto& [r, value] : line)
-      text += fmt::format("{:.6g} {:.6g}\n", au(r), value / figure.y_unit);
+      text += script("{:.6g} {:.6g}\n", au(r), value / figure.y_unit);
     text += "\n";
   }
   return text + "EOD\n";
@@ -66,8 +68,6 @@ int column(double speed) {
   const auto* at = std::ranges::find(contour_speeds, speed);
   return 2 + static_cast<int>(at - contour_speeds.begin());
 }
-
-std::string in_cm_per_s(double speed) { return fmt::format("{:g}", 100 * speed); }
 
 /// A thin contour and the place of its label, as an index of r.
 struct Labelled {
@@ -91,28 +91,28 @@ std::vector<Labelled> thin_contours(const DiskFigure& figure, const Range& range
   return found;
 }
 
-std::string contour_labels(const DiskFigure& figure, const Range& range) {
+Script contour_labels(const DiskFigure& figure, const Range& range) {
   const Contours& c = figure.laws[0];
-  std::string text;
+  Script text;
   for (const auto& [s, i] : thin_contours(figure, range))
-    text += fmt::format(
-        "set label '{}' at {:.6g},{:.6g} right offset 0,0.4 front font ',6' tc rgb '#444444'\n",
-        in_cm_per_s(contour_speeds[s]), au(c.r[i]), c.y[s][i] / figure.y_unit);
+    text += script(
+        "set label '{:g}' at {:.6g},{:.6g} right offset 0,0.4 front font ',6' tc rgb '#444444'\n",
+        100 * contour_speeds[s], au(c.r[i]), c.y[s][i] / figure.y_unit);
   return text;
 }
 
 /// Which law of drag holds where: names above the frame, thin lines between.
-std::string regimes(const Contours& c) {
-  std::string text;
+Script regimes(const Contours& c) {
+  Script text;
   const double decades_wide = std::log10(c.r.back() / c.r.front());
   for (std::size_t first = 0, i = 1; i <= c.r.size(); ++i) {
     if (i < c.r.size() && c.drag[i].regime == c.drag[first].regime) continue;
     const double from = au(c.r[first]), to = au(c.r[std::min(i, c.r.size() - 1)]);
     if (std::log10(to / from) > 0.08 * decades_wide)
-      text += fmt::format("set label '{}' at {:.6g},graph 1.03 center font ',6' tc rgb '#444444'\n",
-                          name(c.drag[first].regime), std::sqrt(from * to));
+      text += script("set label {} at {:.6g},graph 1.03 center font ',6' tc rgb '#444444'\n",
+                     in_quotes(name(c.drag[first].regime)), std::sqrt(from * to));
     if (i < c.r.size())
-      text += fmt::format(
+      text += script(
           "set arrow from {0:.10g},graph 0 to {0:.10g},graph 1 nohead front lw 0.4 dt 3 lc rgb "
           "'#444444'\n",
           to);
@@ -121,56 +121,54 @@ std::string regimes(const Contours& c) {
   return text;
 }
 
-std::string fills(const Range& range) {
+Script fills(const Range& range) {
   const auto clipped = [&](int c) {
-    return fmt::format("(${0} < {1} ? {1} : ${0} > {2} ? {2} : ${0})", c, range.low, range.high);
+    return script("(${0} < {1} ? {1} : ${0} > {2} ? {2} : ${0})", c, range.low, range.high);
   };
-  const std::string low = clipped(column(slow)), high = clipped(column(fast));
-  const auto fill = [](const std::string& from, const std::string& to, const char* colour) {
-    return fmt::format("$law0 using 1:{}:{} with filledcurves fc rgb '{}' fs solid notitle", from,
-                       to, colour);
+  const Script low = clipped(column(slow)), high = clipped(column(fast));
+  const auto fill = [](const Script& from, const Script& to, Literal colour) {
+    return script("$law0 using 1:{}:{} with filledcurves fc rgb '{}' fs solid notitle", from, to,
+                  colour);
   };
-  return fill(fmt::format("({})", range.low), low, below_fill) + ", " +
-         fill(low, high, between_fill) + ", " +
-         fill(high, fmt::format("({})", range.high), above_fill);
+  return fill(script("({})", range.low), low, below_fill) + ", " + fill(low, high, between_fill) +
+         ", " + fill(high, script("({})", range.high), above_fill);
 }
 
-std::string curves(const DiskFigure& figure, const Range& range) {
-  std::string text;
+Script curves(const DiskFigure& figure, const Range& range) {
+  Script text;
   for (const Labelled& thin : thin_contours(figure, range))
-    text += fmt::format(", $law0 using 1:{} with lines lw 0.5 lc rgb '#888888' notitle",
-                        column(contour_speeds[thin.speed]));
+    text += script(", $law0 using 1:{} with lines lw 0.5 lc rgb '#888888' notitle",
+                   column(contour_speeds[thin.speed]));
   for (std::size_t law = figure.laws.size(); law-- > 0;)
     for (const double speed : {slow, fast})
-      text +=
-          fmt::format(", $law{} using 1:{} with lines {} lc rgb '{}' notitle", law, column(speed),
-                      law == 0 ? solid : dashed, speed == slow ? slow_colour : fast_colour);
+      text += script(", $law{} using 1:{} with lines {} lc rgb '{}' notitle", law, column(speed),
+                     law == 0 ? solid : dashed, speed == slow ? slow_colour : fast_colour);
   if (!figure.published.empty())
-    text += fmt::format(", $published using 1:2 with lines {} notitle", dotted);
+    text += script(", $published using 1:2 with lines {} notitle", dotted);
   return text;
 }
 
 std::string words(DragLaw law) {
-  return law == DragLaw::published ? "published drag" : "Weidenschilling''s drag";
+  return law == DragLaw::published ? "published drag" : "Weidenschilling's drag";
 }
 
 /// Two columns of two: gnuplot's own key drops columns that it finds too wide.
-std::string key(const DiskFigure& figure) {
-  std::string text;
-  const auto entry = [&](int column, int row, const std::string& line, const std::string& title) {
+Script key(const DiskFigure& figure) {
+  Script text;
+  const auto entry = [&](int column, int row, const Script& line, const std::string& title) {
     const double x = 8 + 118 * column, y = height_pt - 17 - 9 * row;
-    text += fmt::format(
+    text += script(
         "set arrow from screen {},{} to screen {},{} nohead {}\n"
-        "set label '{}' at screen {},{} left font ',6'\n",
-        x / width_pt, y / height_pt, (x + 16) / width_pt, y / height_pt, line, title,
+        "set label {} at screen {},{} left font ',6'\n",
+        x / width_pt, y / height_pt, (x + 16) / width_pt, y / height_pt, line, in_quotes(title),
         (x + 19) / width_pt, y / height_pt);
   };
   const std::string first = words(figure.laws[0].law);
-  entry(0, 0, fmt::format("{} lc rgb '{}'", solid, fast_colour), "40 cm/s, " + first);
-  entry(0, 1, fmt::format("{} lc rgb '{}'", solid, slow_colour), "15 cm/s, " + first);
-  if (!figure.published.empty()) entry(1, 0, dotted, "40 cm/s in the paper''s text");
+  entry(0, 0, script("{} lc rgb '{}'", solid, fast_colour), "40 cm/s, " + first);
+  entry(0, 1, script("{} lc rgb '{}'", solid, slow_colour), "15 cm/s, " + first);
+  if (!figure.published.empty()) entry(1, 0, Script(dotted), "40 cm/s in the paper's text");
   if (figure.laws.size() > 1)
-    entry(1, 1, fmt::format("{} lc rgb '#555555'", dashed), "dashed: " + words(figure.laws[1].law));
+    entry(1, 1, script("{} lc rgb '#555555'", dashed), "dashed: " + words(figure.laws[1].law));
   return text;
 }
 
@@ -220,13 +218,13 @@ DiskFigure stirring_figure(DragLaw law, const Body& body, const Stirrers& stirre
   return figure;
 }
 
-std::string disk_script(const DiskFigure& figure) {
+drawing::Script disk_script(const DiskFigure& figure) {
   const Range y = decades(figure);
-  std::string text;
+  Script text;
   for (std::size_t law = 0; law < figure.laws.size(); ++law) text += contour_block(figure, law);
   text += published_block(figure);
   const Contours& first = figure.laws[0];
-  text += fmt::format(
+  text += script(
       "set encoding utf8\nunset key\nset border lw 0.5 front\nset tics out nomirror scale 0.5,0.25 "
       "front\n"
       "set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n"
@@ -234,12 +232,13 @@ std::string disk_script(const DiskFigure& figure) {
       "set bmargin at screen {}\n",
       au(first.r.front()), au(first.r.back()), y.low, y.high, left_pt / width_pt,
       1 - right_pt / width_pt, 1 - top_pt / height_pt, bottom_pt / height_pt);
-  text += fmt::format("set format y '{}'\n", y.low < 0.01 ? "10^{%T}" : "%g");
+  text += script("set format y '{}'\n", y.low < 0.01 ? Literal("10^{%T}") : Literal("%g"));
   text += "set xlabel 'distance from the star r (AU)' offset 0,0.6\n";
-  text += fmt::format("set label '{}' at screen {},{} center rotate font ',7'\n", figure.y_label,
-                      6 / width_pt, (height_pt - top_pt + bottom_pt) / 2 / height_pt);
-  text += fmt::format("set label '{}' at screen {},{} left font ',7'\n", figure.title, 6 / width_pt,
-                      1 - 7 / height_pt);
+  text +=
+      script("set label {} at screen {},{} center rotate font ',7'\n", in_quotes(figure.y_label),
+             6 / width_pt, (height_pt - top_pt + bottom_pt) / 2 / height_pt);
+  text += script("set label {} at screen {},{} left font ',7'\n", in_quotes(figure.title),
+                 6 / width_pt, 1 - 7 / height_pt);
   return text + key(figure) + contour_labels(figure, y) + regimes(first) + "plot " + fills(y) +
          curves(figure, y) + "\n";
 }

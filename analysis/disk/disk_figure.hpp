@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/disk/contours.hpp"
+#include "analysis/drawing/script.hpp"
 
 namespace eerie::disk {
 
@@ -26,7 +27,7 @@ DiskFigure stirring_figure(DragLaw law, const Body& body, const Stirrers& stirre
                            double r_high);
 
 /// gnuplot's commands for it, terminal apart.
-std::string disk_script(const DiskFigure& figure);
+drawing::Script disk_script(const DiskFigure& figure);
 
 /// Nine centimetres wide; the extension decides: .png, .svg, .pdf. Throws InputError (another
 /// extension) and EnvironmentError (gnuplot or the disk failed).

@@ -1,20 +1,17 @@
 #include "analysis/drawing/canvas.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 namespace eerie::drawing {
 
-std::string Canvas::at(Point p) const {
-  return fmt::format("screen {:.5f},{:.5f}", p.x / width_, p.y / height_);
+Script Canvas::at(Point p) const {
+  return script("screen {:.5f},{:.5f}", p.x / width_, p.y / height_);
 }
 
-void Canvas::rectangle(const Area& area, Colour colour, const char* layer) {
-  commands_ +=
-      fmt::format("set object {} rectangle from {} to {} {} fc rgb '{}' fs solid noborder\n",
-                  ++objects_, at(area.low), at(area.high), layer, hex(colour));
+void Canvas::rectangle(const Area& area, Colour colour, Literal layer) {
+  commands_ += script("set object {} rectangle from {} to {} {} fc rgb '{}' fs solid noborder\n",
+                      ++objects_, at(area.low), at(area.high), layer, colour);
 }
 
 void Canvas::fill(const Area& area, Colour colour) { rectangle(area, colour, "behind"); }
@@ -27,15 +24,15 @@ void Canvas::outline(const Area& area, Colour colour, double line_width) {
 }
 
 void Canvas::line(Point from, Point to, Colour colour, double line_width) {
-  commands_ += fmt::format("set arrow from {} to {} nohead back lw {} lc rgb '{}'\n", at(from),
-                           at(to), line_width, hex(colour));
+  commands_ += script("set arrow from {} to {} nohead back lw {} lc rgb '{}'\n", at(from), at(to),
+                      line_width, colour);
 }
 
 void Canvas::polygon(const std::vector<Point>& corners, Colour colour) {
-  std::string path = "from " + at(corners.front());
+  Script path = "from " + at(corners.front());
   for (std::size_t i = 1; i < corners.size(); ++i) path += " to " + at(corners[i]);
-  commands_ += fmt::format("set object {} polygon {} to {} behind fc rgb '{}' fs solid noborder\n",
-                           ++objects_, path, at(corners.front()), hex(colour));
+  commands_ += script("set object {} polygon {} to {} behind fc rgb '{}' fs solid noborder\n",
+                      ++objects_, path, at(corners.front()), colour);
 }
 
 void Canvas::hatch(const Area& area, Colour colour, double distance) {
@@ -58,18 +55,16 @@ void Canvas::cross(const Area& area, Colour colour) {
   line({area.low.x, area.high.y}, {area.high.x, area.low.y}, colour, 0.6);
 }
 
-void Canvas::text(Point p, std::string_view words, const Style& style) {
-  commands_ += fmt::format(
-      "set label \"{}\" at {} {}{} front font 'DejaVu Sans{},{}' tc rgb '{}'\n", words, at(p),
-      style.align == Align::left ? "left" : "center", style.upwards ? " rotate by 90" : "",
-      style.bold ? ":Bold" : "", style.size, hex(style.colour));
+void Canvas::text(Point p, const Quoted& words, const Style& style) {
+  const Literal side = style.align == Align::left ? Literal("left") : Literal("center");
+  const Literal turn = style.upwards ? Literal(" rotate by 90") : Literal("");
+  const Literal weight = style.bold ? Literal(":Bold") : Literal("");
+  commands_ += script("set label {} at {} {}{} front font 'DejaVu Sans{},{}' tc rgb '{}'\n", words,
+                      at(p), side, turn, weight, style.size, style.colour);
 }
 
-double text_width(std::string_view words, double size) {
-  // Continuation bytes of UTF-8 take no room.
-  const auto letters = std::ranges::count_if(
-      words, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; });
-  return 0.56 * size * static_cast<double>(letters);
+double text_width(const Quoted& words, double size) {
+  return 0.56 * size * static_cast<double>(words.letters());
 }
 
 }  // namespace eerie::drawing

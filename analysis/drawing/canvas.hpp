@@ -1,10 +1,9 @@
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "analysis/drawing/palette.hpp"
+#include "analysis/drawing/script.hpp"
 
 namespace eerie::drawing {
 
@@ -49,20 +48,20 @@ class Canvas {
   /// Horizontal lines, `distance` points apart.
   void rule(const Area& area, Colour colour, double distance);
   void cross(const Area& area, Colour colour);
-  /// Words centred on `at` across their direction. Markup of gnuplot's enhanced text applies.
-  void text(Point at, std::string_view words, const Style& style);
+  /// Words centred on `at` across their direction.
+  void text(Point at, const Quoted& words, const Style& style);
 
-  const std::string& commands() const { return commands_; }
+  const Script& commands() const { return commands_; }
 
  private:
-  std::string at(Point p) const;
-  void rectangle(const Area& area, Colour colour, const char* layer);
+  Script at(Point p) const;
+  void rectangle(const Area& area, Colour colour, Literal layer);
   double width_, height_;
   int objects_ = 0;
-  std::string commands_;
+  Script commands_;
 };
 
-/// Approximate width of words without markup in DejaVu Sans, points.
-double text_width(std::string_view words, double size);
+/// Approximate width of words in DejaVu Sans, points.
+double text_width(const Quoted& words, double size);
 
 }  // namespace eerie::drawing

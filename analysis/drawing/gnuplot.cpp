@@ -12,27 +12,27 @@ namespace {
 const Tool gnuplot{"gnuplot", "draws the figures", "gnuplot-nox"};
 }
 
-std::string gnuplot_terminal(const std::filesystem::path& path, double width_pt, double height_pt) {
+Script gnuplot_terminal(const std::filesystem::path& path, double width_pt, double height_pt) {
   const std::string extension = path.extension().string();
-  const char* font = "font 'DejaVu Sans,7' enhanced";
+  constexpr Literal font = "font 'DejaVu Sans,7' enhanced";
   // The scales make type and lines as large in print as the script asks for.
   if (extension == ".pdf")
-    return fmt::format("set terminal pdfcairo size {}in,{}in fontscale 0.75 linewidth 2 {}\n",
-                       width_pt / 72, height_pt / 72, font);
+    return script("set terminal pdfcairo size {}in,{}in fontscale 0.75 linewidth 2 {}\n",
+                  width_pt / 72, height_pt / 72, font);
   if (extension == ".svg")
-    return fmt::format("set terminal svg size {},{} dynamic background '#ffffff' {}\n", width_pt,
-                       height_pt, font);
+    return script("set terminal svg size {},{} dynamic background '#ffffff' {}\n", width_pt,
+                  height_pt, font);
   constexpr double zoom = 5;  // pixels per point
   if (extension == ".png")
-    return fmt::format("set terminal pngcairo size {:.0f},{:.0f} fontscale {} linewidth {} {}\n",
-                       zoom * width_pt, zoom * height_pt, 0.75 * zoom, zoom, font);
+    return script("set terminal pngcairo size {:.0f},{:.0f} fontscale {} linewidth {} {}\n",
+                  zoom * width_pt, zoom * height_pt, 0.75 * zoom, zoom, font);
   throw InputError(fmt::format("{}: a figure can be .png, .svg or .pdf", path.string()));
 }
 
-void run_gnuplot(const std::string& script, const std::filesystem::path& path) {
+void run_gnuplot(const Script& script, const std::filesystem::path& path) {
   install_file(path, [&](const std::filesystem::path& temporary) {
     // -d: the user's own ~/.gnuplot must not change our figures.
-    const ToolEnd end = run_tool(gnuplot, {"-d", "-"}, script, temporary);
+    const ToolEnd end = run_tool(gnuplot, {"-d", "-"}, script.text(), temporary);
     if (!end.well || std::filesystem::file_size(temporary) == 0)
       throw EnvironmentError(
           fmt::format("gnuplot could not draw {}: {}", path.string(), end.words));

@@ -13,15 +13,16 @@ namespace eerie::figures {
 
 namespace {
 
+using drawing::Literal, drawing::Script, drawing::script, drawing::in_quotes;
+
 constexpr double width_pt = 510, panel_width_pt = 185, panel_height_pt = 130, left_pt = 38,
                  top_pt = 16, between_pt = 34, between_columns_pt = 12, legend_pt = 118;
 /// Okabe & Ito's colours, told apart in every common form of colour blindness; once they are used
 /// up the marks change.
-constexpr const char* colours[] = {"#0072b2", "#d55e00", "#009e73",
-                                   "#cc79a7", "#56b4e9", "#e69f00"};
+constexpr Literal colours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"};
 constexpr int marks[] = {7, 4, 9, 10, 5, 6};
 constexpr int default_mark = 3;
-constexpr const char* black = "#000000";
+constexpr Literal black = "#000000";
 
 /// Where the point stands: a difference far below its noise says nothing.
 double height(const AccuracyPoint::Error& e) { return std::max({e.error, e.noise / 10, 1e-5}); }
@@ -45,25 +46,21 @@ const AccuracyPoint& default_point(const AccuracyFigure& figure) {
 }
 
 /// "cost height low high" of one point in one panel.
-std::string row(const AccuracyPoint& point, std::size_t panel) {
+Script row(const AccuracyPoint& point, std::size_t panel) {
   const AccuracyPoint::Error& e = point.errors[panel];
-  return fmt::format("{} {} {} {}\n", point.core_seconds, height(e),
-                     std::max(height(e) - e.noise, height(e) / 3), height(e) + e.noise);
+  return script("{} {} {} {}\n", point.core_seconds, height(e),
+                std::max(height(e) - e.noise, height(e) / 3), height(e) + e.noise);
 }
 
-std::string block(std::size_t panel, std::size_t series) {
-  return fmt::format("$p{}s{}", panel, series);
-}
+Script block(std::size_t panel, std::size_t series) { return script("$p{}s{}", panel, series); }
 
-std::string rings(std::size_t panel) { return fmt::format("$p{}rings", panel); }
+Script rings(std::size_t panel) { return script("$p{}rings", panel); }
 
 bool has_rings(const AccuracyFigure& figure) {
   bool any = false;
   each_point(figure, [&](const AccuracyPoint& x) { any = any || !x.whole; });
   return any;
 }
-
-std::string names(std::size_t panel) { return fmt::format("$p{}names", panel); }
 
 bool has_names(const AccuracyFigure& figure) {
   bool any = false;
@@ -72,19 +69,20 @@ bool has_names(const AccuracyFigure& figure) {
 }
 
 /// 1, 2 and 5 times the powers of ten in between; 1 and 3 times where the axis spans more of them.
-std::string ticks(double low, double high, double span) {
+Script ticks(double low, double high, double span) {
   constexpr double few_decades = 200;
   const std::vector<int> steps = span <= few_decades ? std::vector{1, 2, 5} : std::vector{1, 3};
-  std::string list;
+  Script list;
   for (double decade = low; decade <= high * 1.001; decade *= 10)
     for (const int step : steps)
-      list += fmt::format("{0}\"{1:g}\" {1:g}", list.empty() ? "" : ", ", step * decade);
+      list +=
+          script("{0}\"{1:g}\" {1:g}", list.empty() ? Literal("") : Literal(", "), step * decade);
   return list;
 }
 
-std::string data_blocks(const AccuracyFigure& figure) {
+Script data_blocks(const AccuracyFigure& figure) {
   const AccuracyPoint& standard = default_point(figure);
-  std::string text;
+  Script text;
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
     for (std::size_t s = 0; s < figure.series.size(); ++s) {
       text += block(p, s) + " << EOD\n";
@@ -103,32 +101,26 @@ std::string data_blocks(const AccuracyFigure& figure) {
       if (!x.whole) text += row(x, p);
     });
     text += "EOD\n";
-    text += names(p) + " << EOD\n";
-    each_point(figure, [&](const AccuracyPoint& x) {
-      if (!x.name.empty())
-        text += fmt::format("{} {} {}\n", x.core_seconds, height(x.errors[p]), x.name);
-    });
-    text += "EOD\n";
     std::vector<std::pair<double, double>> all;
     each_point(figure, [&](const AccuracyPoint& x) {
       if (x.whole) all.emplace_back(x.core_seconds, height(x.errors[p]));
     });
     std::ranges::sort(all);
-    text += fmt::format("$p{}frontier << EOD\n", p);
+    text += script("$p{}frontier << EOD\n", p);
     double best = std::numeric_limits<double>::infinity();
     for (const auto& [cost, error] : all)
       if (error < best) {
-        text += fmt::format("{} {}\n", cost, error);
+        text += script("{} {}\n", cost, error);
         best = error;
       }
-    text += fmt::format("{} {}\nEOD\n", all.back().first * 1.3, best);
+    text += script("{} {}\nEOD\n", all.back().first * 1.3, best);
   }
   return text;
 }
 
 /// How a series is drawn.
 struct Look {
-  std::string colour;
+  Literal colour;
   int mark;
   double size;
 };
@@ -147,52 +139,58 @@ std::vector<std::size_t> drawing_order(const AccuracyFigure& figure) {
   return order;
 }
 
-std::string panel_commands(const AccuracyFigure& figure, std::size_t p, double height_pt) {
+/// Errors fall with cost: below and left of a point there is room for its name.
+Script names(const AccuracyFigure& figure, std::size_t p) {
+  Script text;
+  each_point(figure, [&](const AccuracyPoint& x) {
+    if (!x.name.empty())
+      text += script("set label {} at {},{} right offset -0.2,-0.6 font ',6.5'\n",
+                     in_quotes(x.name), x.core_seconds, height(x.errors[p]));
+  });
+  return text;
+}
+
+Script panel_commands(const AccuracyFigure& figure, std::size_t p, double height_pt) {
   const std::size_t line_of_panel = p / 2;
   const auto column = static_cast<double>(p % 2), line = static_cast<double>(line_of_panel);
   const double left = left_pt + column * (panel_width_pt / 1.3 + between_columns_pt + left_pt);
   const double right = left + panel_width_pt / 1.3;
   const double top = height_pt - top_pt - line * (panel_height_pt + between_pt);
-  std::string text = fmt::format(
+  Script text = script(
       "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\n"
       "set bmargin at screen {}\n",
       left / width_pt, right / width_pt, top / height_pt, (top - panel_height_pt) / height_pt);
   Extent errors;
   each_point(figure, [&](const AccuracyPoint& x) { errors.include(height(x.errors[p])); });
-  text += fmt::format("set yrange [{}:{}]\nset ylabel 'error of {}' offset 0.9,0\n", errors.low / 2,
-                      errors.high * 2, figure.panels[p]);
-  std::string curves =
-      fmt::format("$p{}frontier using 1:2 with steps lw 3 lc rgb '#dddddd' notitle", p);
+  text += script("set yrange [{}:{}]\nset ylabel {} offset 0.9,0\n", errors.low / 2,
+                 errors.high * 2, in_quotes("error of " + figure.panels[p]));
+  Script curves = script("$p{}frontier using 1:2 with steps lw 3 lc rgb '#dddddd' notitle", p);
   for (const std::size_t s : drawing_order(figure)) {
     const Look look = look_of(figure, s);
-    curves += fmt::format(
+    curves += script(
         ", {0}line using 1:2 with lines lw 0.4 lc rgb '{1}' notitle"
         ", {0} using 1:2:3:4 with yerrorbars pt {2} ps 0.01 lw 0.3 lc rgb '{1}' notitle"
         ", {0} using 1:2 with points pt {2} ps {3} lw 1.2 lc rgb '{1}' notitle",
         block(p, s), look.colour, look.mark, look.size);
   }
   if (has_rings(figure))
-    curves += fmt::format(", {} using 1:2 with points pt 6 ps 1 lw 0.6 lc rgb '{}' notitle",
-                          rings(p), black);
-  // Errors fall with cost: below and left of a point there is room.
-  if (has_names(figure))
-    curves += fmt::format(", {} using 1:2:3 with labels right offset -0.2,-0.6 font ',6.5' notitle",
-                          names(p));
-  return text + "plot " + curves + "\n";
+    curves +=
+        script(", {} using 1:2 with points pt 6 ps 1 lw 0.6 lc rgb '{}' notitle", rings(p), black);
+  return text + names(figure, p) + "plot " + curves + "\nunset label\n";
 }
 
 /// The legend beside the panels: a plot of nothing, as high as the page.
-std::string legend_commands(const AccuracyFigure& figure) {
-  std::string curves = "1/0 with lines lw 3 lc rgb '#dddddd' title 'frontier'";
+Script legend_commands(const AccuracyFigure& figure) {
+  Script curves("1/0 with lines lw 3 lc rgb '#dddddd' title 'frontier'");
   if (has_rings(figure))
-    curves += fmt::format(
-        ", 1/0 with points pt 6 ps 1 lw 0.6 lc rgb '{}' title 'some impacts only'", black);
+    curves +=
+        script(", 1/0 with points pt 6 ps 1 lw 0.6 lc rgb '{}' title 'some impacts only'", black);
   for (std::size_t s = 0; s < figure.series.size(); ++s) {
     const Look look = look_of(figure, s);
-    curves += fmt::format(", 1/0 with points pt {} ps {} lw 1.2 lc rgb '{}' title '{}'", look.mark,
-                          look.size, look.colour, figure.series[s].name);
+    curves += script(", 1/0 with points pt {} ps {} lw 1.2 lc rgb '{}' title {}", look.mark,
+                     look.size, look.colour, in_quotes(figure.series[s].name));
   }
-  return fmt::format(
+  return script(
       "set lmargin at screen {}\nset rmargin at screen 1\nset tmargin at screen 1\n"
       "set bmargin at screen 0\nunset border\nunset tics\nunset xlabel\nunset ylabel\n"
       "set key inside left top Left reverse samplen 1 spacing 1.1 font ',7'\nplot {}\n",
@@ -206,12 +204,12 @@ double height_of(const AccuracyFigure& figure) {
 
 }  // namespace
 
-std::string accuracy_script(const AccuracyFigure& figure) {
+drawing::Script accuracy_script(const AccuracyFigure& figure) {
   Extent cost;
   each_point(figure, [&](const AccuracyPoint& x) { cost.include(x.core_seconds); });
   const double height = height_of(figure);
-  std::string text = data_blocks(figure);
-  text += fmt::format(
+  Script text = data_blocks(figure);
+  text += script(
       "set encoding utf8\nset border lw 0.5\nset bars 0\nset tics scale 0.5 font ',7'\n"
       "set logscale xy\nset xrange [{}:{}]\nset xtics ({})\nset ytics ({})\n"
       "set xlabel 'cost of an impact (core-seconds)' offset 0,0.7 font ',7'\n"

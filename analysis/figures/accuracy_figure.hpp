@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/drawing/script.hpp"
+
 namespace eerie::figures {
 
 /// One setting of the solver on a chart of error against cost.
@@ -36,7 +38,7 @@ struct AccuracyFigure {
 
 /// gnuplot's commands for the figure, without its terminal. Throws InputError where there is no
 /// point or no default.
-std::string accuracy_script(const AccuracyFigure& figure);
+drawing::Script accuracy_script(const AccuracyFigure& figure);
 
 /// Draws it at `path`; the extension decides: .svg, .png, .pdf. Throws InputError and
 /// EnvironmentError as run_gnuplot() does.

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/drawing/script.hpp"
+
 namespace eerie::figures {
 
 /// An ensemble at one particle number, or one run at one time.
@@ -38,6 +40,6 @@ struct ConvergenceFigure {
 void draw_convergence(const std::filesystem::path& path, const ConvergenceFigure& figure);
 
 /// gnuplot's commands for it, terminal apart.
-std::string convergence_script(const ConvergenceFigure& figure);
+drawing::Script convergence_script(const ConvergenceFigure& figure);
 
 }  // namespace eerie::figures

@@ -12,6 +12,8 @@ namespace eerie::figures {
 
 namespace {
 
+using drawing::in_quotes;
+
 constexpr double row_pt = 10, cell_pt = 33, name_pt = 13, head_pt = 14, margin_pt = 6,
                  indent_pt = 6, label_size = 6, cell_size = 5.5, caption_pt = 12, gap_pt = 6;
 constexpr drawing::Colour ink{0x1a, 0x1a, 0x1a}, grey{0x60, 0x60, 0x60};
@@ -25,12 +27,14 @@ struct Layout {
     for (const MatrixGroup& group : figure.groups) {
       height +=
           (group.name.empty() ? 0 : name_pt) + row_pt * static_cast<double>(group.rows.size());
-      label_pt = std::max(label_pt, drawing::text_width(group.name, label_size));
+      label_pt = std::max(label_pt, drawing::text_width(in_quotes(group.name), label_size));
       for (const MatrixRow& row : group.rows)
-        label_pt = std::max(label_pt, indent_pt + drawing::text_width(row.label, label_size));
+        label_pt =
+            std::max(label_pt, indent_pt + drawing::text_width(in_quotes(row.label), label_size));
     }
-    width = margin_pt + std::max(left_of(figure.columns.size()),
-                                 margin_pt + drawing::text_width(figure.caption, label_size));
+    width = margin_pt +
+            std::max(left_of(figure.columns.size()),
+                     margin_pt + drawing::text_width(in_quotes(figure.caption), label_size));
   }
 
   double left_of(std::size_t column) const {
@@ -43,14 +47,14 @@ struct Layout {
 
 void draw_row(drawing::Canvas& canvas, const Layout& page, const MatrixRow& row, double indent,
               double top) {
-  canvas.text({margin_pt + indent, top - row_pt / 2}, row.label,
+  canvas.text({margin_pt + indent, top - row_pt / 2}, in_quotes(row.label),
               {.size = label_size, .colour = ink, .align = drawing::Align::left});
   for (std::size_t c = 0; c < row.cells.size(); ++c) {
     if (!row.cells[c]) continue;
     const drawing::Colour fill = drawing::b_over_a_colour(row.cells[c]->b_over_a);
     const drawing::Area area = page.cell(c, top);
     canvas.fill(area, fill);
-    canvas.text(area.centre(), row.cells[c]->text,
+    canvas.text(area.centre(), in_quotes(row.cells[c]->text),
                 {.size = cell_size, .colour = drawing::text_colour(fill)});
   }
 }
@@ -59,12 +63,12 @@ drawing::Canvas draw(const MatrixFigure& figure, const Layout& page) {
   drawing::Canvas canvas(page.width, page.height);
   double top = page.height - margin_pt;
   for (std::size_t c = 0; c < figure.columns.size(); ++c)
-    canvas.text({page.left_of(c) + cell_pt / 2, top - head_pt / 2}, figure.columns[c],
+    canvas.text({page.left_of(c) + cell_pt / 2, top - head_pt / 2}, in_quotes(figure.columns[c]),
                 {.size = label_size, .colour = ink, .bold = true});
   top -= head_pt;
   for (const MatrixGroup& group : figure.groups) {
     if (!group.name.empty()) {
-      canvas.text({margin_pt, top - name_pt / 2 - 1}, group.name,
+      canvas.text({margin_pt, top - name_pt / 2 - 1}, in_quotes(group.name),
                   {.size = label_size, .colour = grey, .align = drawing::Align::left});
       top -= name_pt;
     }
@@ -74,23 +78,24 @@ drawing::Canvas draw(const MatrixFigure& figure, const Layout& page) {
     }
   }
   if (!figure.caption.empty())
-    canvas.text({margin_pt, top - caption_pt / 2}, figure.caption,
+    canvas.text({margin_pt, top - caption_pt / 2}, in_quotes(figure.caption),
                 {.size = label_size, .colour = grey, .align = drawing::Align::left});
   return canvas;
 }
 
 }  // namespace
 
-std::string matrix_script(const MatrixFigure& figure) {
+drawing::Script matrix_script(const MatrixFigure& figure) {
   if (figure.columns.empty() || figure.groups.empty())
     throw InputError("a table of cases needs a result at least; there is none to draw");
-  return "set encoding utf8\nunset border\nunset tics\nunset key\nset margins 0,0,0,0\n"
-         "set xrange [0:1]\nset yrange [0:1]\n" +
+  return drawing::Script(
+             "set encoding utf8\nunset border\nunset tics\nunset key\nset margins 0,0,0,0\n"
+             "set xrange [0:1]\nset yrange [0:1]\n") +
          draw(figure, Layout(figure)).commands() + "plot 1/0\n";
 }
 
 void draw_matrix(const std::filesystem::path& path, const MatrixFigure& figure) {
-  const std::string script = matrix_script(figure);
+  const drawing::Script script = matrix_script(figure);
   const Layout page(figure);
   drawing::run_gnuplot(drawing::gnuplot_terminal(path, page.width, page.height) + script, path);
 }

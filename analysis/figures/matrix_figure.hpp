@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/drawing/script.hpp"
+
 namespace eerie::figures {
 
 /// A row of a table that is read by its colours.
@@ -31,7 +33,7 @@ struct MatrixFigure {
 
 /// gnuplot's commands for the figure, without its terminal. Throws InputError where there is no
 /// row or no column.
-std::string matrix_script(const MatrixFigure& figure);
+drawing::Script matrix_script(const MatrixFigure& figure);
 
 /// Draws it at `path`; the extension decides: .svg, .png, .pdf. Throws InputError and
 /// EnvironmentError as run_gnuplot() does.

@@ -14,12 +14,14 @@ namespace eerie::figures {
 
 namespace {
 
+using drawing::Literal, drawing::Script, drawing::script;
+
 constexpr double width_pt = 252, height_pt = 190;  // a column is 88 mm wide
 constexpr double left_pt = 40, right_pt = 8, top_pt = 8, bottom_pt = 30;
 /// Okabe & Ito's colours; dashes differ too.
 struct Look {
-  const char* colour;
-  const char* dashes;
+  Literal colour;
+  Literal dashes;
 };
 constexpr Look looks[] = {{"#0072b2", "solid"},     {"#d55e00", "(6,2)"},
                           {"#009e73", "(2,2)"},     {"#cc79a7", "(8,2,2,2)"},
@@ -32,10 +34,10 @@ std::string grouped(std::int64_t number) {
   return digits;
 }
 
-std::string title(const SizeDistribution& d) {
-  return fmt::format("{}: {} particles per target, {} impact{}", d.name,
-                     grouped(d.particles_per_target), grouped(static_cast<std::int64_t>(d.impacts)),
-                     d.impacts == 1 ? "" : "s");
+drawing::Quoted title(const SizeDistribution& d) {
+  return drawing::in_quotes(fmt::format(
+      "{}: {} particles per target, {} impact{}", d.name, grouped(d.particles_per_target),
+      grouped(static_cast<std::int64_t>(d.impacts)), d.impacts == 1 ? "" : "s"));
 }
 
 /// Part of the panel's height that the legend takes: a line for each distribution, one for limits.
@@ -46,11 +48,11 @@ double legend_part(std::size_t distributions) {
 
 /// The axis of counts, its curves below the legend. Linear where there are a few remnants per
 /// impact, as most impacts leave.
-std::string count_axis(double highest, double legend) {
+Script count_axis(double highest, double legend) {
   constexpr double few = 8, lowest = 0.3;
-  if (highest < few) return fmt::format("set yrange [0:{:.6g}]\n", highest * 1.05 / (1 - legend));
-  return fmt::format("set logscale y\nset yrange [{}:{:.6g}]\n", lowest,
-                     lowest * std::pow(1.15 * highest / lowest, 1 / (1 - legend)));
+  if (highest < few) return script("set yrange [0:{:.6g}]\n", highest * 1.05 / (1 - legend));
+  return script("set logscale y\nset yrange [{}:{:.6g}]\n", lowest,
+                lowest * std::pow(1.15 * highest / lowest, 1 / (1 - legend)));
 }
 
 }  // namespace
@@ -69,26 +71,25 @@ std::vector<SizeStep> steps(const SizeDistribution& d) {
   return all;
 }
 
-std::string sizes_script(const std::vector<SizeDistribution>& distributions) {
-  std::string text, curves, lines;
+drawing::Script sizes_script(const std::vector<SizeDistribution>& distributions) {
+  Script text, curves, lines;
   const double legend = legend_part(distributions.size());
   double smallest = 1, highest = 0;
   std::size_t k = 0;
   for (const SizeDistribution& d : distributions) {
     const Look& look = looks[k % std::size(looks)];
-    const std::string block = fmt::format("$d{}", k++);
+    const Script block = script("$d{}", k++);
     const std::vector<SizeStep> all = steps(d);
     if (all.empty()) continue;
-    text += fmt::format("{} << EOD\n{:.8g} 0\n", block, all.front().mass);
-    for (const SizeStep& step : all) text += fmt::format("{:.8g} {:.8g}\n", step.mass, step.count);
+    text += script("{} << EOD\n{:.8g} 0\n", block, all.front().mass);
+    for (const SizeStep& step : all) text += script("{:.8g} {:.8g}\n", step.mass, step.count);
     // Flat down to the limit, where knowledge ends.
-    text +=
-        fmt::format("{:.8g} {:.8g}\nEOD\n", std::min(d.limit, all.back().mass), all.back().count);
+    text += script("{:.8g} {:.8g}\nEOD\n", std::min(d.limit, all.back().mass), all.back().count);
     smallest = std::min({smallest, d.limit, all.back().mass});
     highest = std::max(highest, all.back().count);
-    curves += fmt::format("{} using 1:2 with steps lw 1.1 dt {} lc rgb '{}' title '{}', ", block,
-                          look.dashes, look.colour, title(d));
-    lines += fmt::format(
+    curves += script("{} using 1:2 with steps lw 1.1 dt {} lc rgb '{}' title {}, ", block,
+                     look.dashes, look.colour, title(d));
+    lines += script(
         "set arrow from {0:.8g}, graph 0 to {0:.8g}, graph {2:.4f} nohead back lw 0.7 dt (1,3) lc "
         "rgb "
         "'{1}'\n",
@@ -100,7 +101,7 @@ std::string sizes_script(const std::vector<SizeDistribution>& distributions) {
                     "nothing to draw",
                     remnants::remnant_min_particles));
   return text +
-         fmt::format(
+         script(
              "set encoding utf8\nset border 3 lw 0.5\nset tics out nomirror scale 0.5,0.25 font "
              "',7'\n"
              "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
@@ -114,7 +115,7 @@ std::string sizes_script(const std::vector<SizeDistribution>& distributions) {
              left_pt / width_pt, 1 - right_pt / width_pt, 1 - top_pt / height_pt,
              bottom_pt / height_pt, smallest / 1.3) +
          count_axis(highest, legend) + lines +
-         fmt::format(
+         script(
              "plot {}1/0 with lines lw 0.7 dt (1,3) lc rgb '#000000' title 'limits of "
              "resolution: {} particles'\n",
              curves, remnants::remnant_min_particles);

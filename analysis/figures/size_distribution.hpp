@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/drawing/script.hpp"
+
 namespace eerie::figures {
 
 /// Masses of the remnants of impacts that were run alike, over the mass of both bodies.
@@ -30,7 +32,7 @@ std::vector<SizeStep> steps(const SizeDistribution& distribution);
 
 /// gnuplot's commands for N(>= m) of each over the logarithm of m, as wide as a column of a
 /// journal; a line at each limit. Throws InputError where no remnant is there.
-std::string sizes_script(const std::vector<SizeDistribution>& distributions);
+drawing::Script sizes_script(const std::vector<SizeDistribution>& distributions);
 
 /// Draws it at `path` (.svg, .png, .pdf). Throws as run_gnuplot() does.
 void draw_sizes(const std::filesystem::path& path,

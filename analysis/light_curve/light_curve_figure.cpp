@@ -1,7 +1,5 @@
 #include "analysis/light_curve/light_curve_figure.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,36 +10,38 @@ namespace eerie::light_curve {
 
 namespace {
 
+using drawing::Literal, drawing::Script, drawing::script;
+
 constexpr double width_pt = 510, height_pt = 170;
 constexpr double left_pt = 42, gap_pt = 50, right_pt = 8, top_pt = 10, bottom_pt = 28;
 // Okabe & Ito's blue and vermilion; lines differ in their dashes too.
-constexpr const char* particles_line = "lw 1.5 dt solid lc rgb '#0072b2'";
-constexpr const char* ellipsoid_line = "lw 1.2 dt (5,3) lc rgb '#d55e00'";
+constexpr Literal particles_line = "lw 1.5 dt solid lc rgb '#0072b2'";
+constexpr Literal ellipsoid_line = "lw 1.2 dt (5,3) lc rgb '#d55e00'";
 
 /// Left and right borders of a panel as parts of the page.
-std::string margins(int panel) {
+Script margins(int panel) {
   const double each = (width_pt - left_pt - gap_pt - right_pt) / 2;
   const double left = left_pt + panel * (each + gap_pt);
-  return fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n",
-                     left / width_pt, (left + each) / width_pt);
+  return script("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n", left / width_pt,
+                (left + each) / width_pt);
 }
 
-std::string curve_block(const LightCurve& curve) {
+Script curve_block(const LightCurve& curve) {
   const double brightest = std::ranges::max(curve.particles);
   const double brightest_ellipsoid = std::ranges::max(curve.ellipsoid);
-  std::string text = "$curve << EOD\n";
+  Script text("$curve << EOD\n");
   const std::size_t n = curve.phase.size();
   for (std::size_t k = 0; k <= n; ++k)
-    text += fmt::format("{:.6g} {:.6g} {:.6g}\n", static_cast<double>(k) / static_cast<double>(n),
-                        magnitude_of(curve.particles[k % n], brightest),
-                        magnitude_of(curve.ellipsoid[k % n], brightest_ellipsoid));
+    text += script("{:.6g} {:.6g} {:.6g}\n", static_cast<double>(k) / static_cast<double>(n),
+                   magnitude_of(curve.particles[k % n], brightest),
+                   magnitude_of(curve.ellipsoid[k % n], brightest_ellipsoid));
   return text + "EOD\n";
 }
 
-std::string aspect_block(const std::vector<AspectAmplitude>& amplitudes) {
-  std::string text = "$aspect << EOD\n";
+Script aspect_block(const std::vector<AspectAmplitude>& amplitudes) {
+  Script text("$aspect << EOD\n");
   for (const AspectAmplitude& a : amplitudes)
-    text += fmt::format("{:.6g} {:.6g} {:.6g}\n", degrees(a.aspect), a.particles, a.ellipsoid);
+    text += script("{:.6g} {:.6g} {:.6g}\n", degrees(a.aspect), a.particles, a.ellipsoid);
   return text + "EOD\n";
 }
 
@@ -50,7 +50,7 @@ double top_of(double magnitudes) { return std::ceil(magnitudes * 1.08 / 0.2) * 0
 
 }  // namespace
 
-std::string light_curve_script(const LightCurveFigure& figure) {
+drawing::Script light_curve_script(const LightCurveFigure& figure) {
   const LightCurve& curve = figure.curve;
   double highest = oumuamua_amplitude_mag;
   for (const AspectAmplitude& a : figure.amplitudes)
@@ -58,28 +58,28 @@ std::string light_curve_script(const LightCurveFigure& figure) {
   const double depth =
       std::max({0.2, top_of(amplitude(curve.particles)), top_of(amplitude(curve.ellipsoid))});
   return curve_block(curve) + aspect_block(figure.amplitudes) +
-         fmt::format(
+         script(
              "set encoding utf8\nset multiplot\nunset key\nset border 3 lw 0.5\n"
              "set tics out nomirror scale 0.5,0.25\n"
              "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
              1 - top_pt / height_pt, bottom_pt / height_pt) +
-         margins(0) + fmt::format("set xrange [0:1]\nset yrange [{:.2f}:-0.05]\n", depth) +
+         margins(0) + script("set xrange [0:1]\nset yrange [{:.2f}:-0.05]\n", depth) +
          "set xlabel 'rotation phase' offset 0,0.5\n"
          "set ylabel 'fainter than the brightest (mag)' offset 1\n" +
-         fmt::format("set label 1 'aspect {:g}°' at graph 0.02,1.01 font ',6.5'\n",
-                     std::round(10 * degrees(curve.aspect)) / 10) +
-         fmt::format("plot $curve using 1:2 with lines {}, $curve using 1:3 with lines {}\n",
-                     particles_line, ellipsoid_line) +
+         script("set label 1 'aspect {:g}°' at graph 0.02,1.01 font ',6.5'\n",
+                std::round(10 * degrees(curve.aspect)) / 10) +
+         script("plot $curve using 1:2 with lines {}, $curve using 1:3 with lines {}\n",
+                particles_line, ellipsoid_line) +
          "unset label 1\nset key at graph 0.02,0.75 left top Left reverse samplen 3 font ',6.5'\n" +
          margins(1) +
-         fmt::format("set xrange [0:90]\nset xtics 15\nset yrange [0:{:.2f}]\n", top_of(highest)) +
+         script("set xrange [0:90]\nset xtics 15\nset yrange [0:{:.2f}]\n", top_of(highest)) +
          "set xlabel 'aspect angle: line of sight from the spin axis (deg)'\n"
          "set ylabel 'amplitude (mag)'\n" +
-         fmt::format(
+         script(
              "set label 2 '1I/ʻOumuamua' at 1,{0} offset 0,0.5 font ',6.5' tc rgb '#444444'\n"
              "set arrow 1 from 0,{0} to 90,{0} nohead lw 0.8 dt (1.5,2) lc rgb '#444444'\n",
              oumuamua_amplitude_mag) +
-         fmt::format(
+         script(
              "plot $aspect using 1:2 with lines {} title 'shadow of the particles', "
              "$aspect using 1:3 with lines {} title 'ellipsoid of inertia'\n",
              particles_line, ellipsoid_line) +

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
+#include "analysis/drawing/script.hpp"
 #include "analysis/light_curve/light_curve.hpp"
 
 namespace eerie::light_curve {
@@ -19,6 +19,6 @@ struct LightCurveFigure {
 void draw_light_curve(const std::filesystem::path& path, const LightCurveFigure& figure);
 
 /// gnuplot's commands for it, terminal apart.
-std::string light_curve_script(const LightCurveFigure& figure);
+drawing::Script light_curve_script(const LightCurveFigure& figure);
 
 }  // namespace eerie::light_curve

@@ -13,6 +13,8 @@ namespace eerie::pictures {
 
 namespace {
 
+using drawing::Literal, drawing::Script, drawing::script, drawing::in_quotes, drawing::marked_up;
+
 // All in points.
 constexpr double column_width = 255, page_width = 510;
 constexpr std::size_t most_in_column = 3, most_in_row = 5;
@@ -64,13 +66,14 @@ void draw_scale_bar(drawing::Canvas& canvas, const Page& page, double frame_widt
   const double width = page.panel * length / frame_width, y = 14;
   canvas.line({border, y}, {border + width, y}, ink, 1.6);
   canvas.text({border + width / 2, y - 7},
-              length < 2000 ? fmt::format("{:g} m", length) : fmt::format("{:g} km", length / 1000),
+              length < 2000 ? marked_up("{:g} m", length) : marked_up("{:g} km", length / 1000),
               {.size = 6.5, .colour = ink});
 }
 
-void draw_swatch(drawing::Canvas& canvas, double x, drawing::Colour colour, const char* words) {
+void draw_swatch(drawing::Canvas& canvas, double x, drawing::Colour colour, Literal words) {
   canvas.fill({{x, 10}, {x + 7, 17}}, colour);
-  canvas.text({x + 10, 13.5}, words, {.size = 6.5, .colour = ink, .align = drawing::Align::left});
+  canvas.text({x + 10, 13.5}, marked_up("{}", words),
+              {.size = 6.5, .colour = ink, .align = drawing::Align::left});
 }
 
 constexpr double bar_width = 110, bar_height = 6, bar_bottom = 12;
@@ -85,14 +88,14 @@ void draw_colour_bar(drawing::Canvas& canvas, const Page& page, const ColourScal
   const double left = bar_left(page);
   canvas.outline({{left, bar_bottom}, {left + bar_width, bar_bottom + bar_height}}, ink, 0.4);
   for (const double part : {0.0, 0.5, 1.0})
-    canvas.text(
-        {left + part * bar_width, bar_bottom - 6},
-        (part == 1 && scale.highest > scale.top ? "≥ " : "") + in_unit(scale, part * scale.top),
-        {.size = 6, .colour = ink});
-  canvas.text(
-      {left + bar_width / 2, bar_bottom + bar_height + 5},
-      scale.colour == ParticleColour::speed ? "speed in own clump (cm/s)" : "initial depth (m)",
-      {.size = 6.5, .colour = ink});
+    canvas.text({left + part * bar_width, bar_bottom - 6},
+                in_quotes((part == 1 && scale.highest > scale.top ? "≥ " : "") +
+                          in_unit(scale, part * scale.top)),
+                {.size = 6, .colour = ink});
+  canvas.text({left + bar_width / 2, bar_bottom + bar_height + 5},
+              in_quotes(scale.colour == ParticleColour::speed ? "speed in own clump (cm/s)"
+                                                              : "initial depth (m)"),
+              {.size = 6.5, .colour = ink});
 }
 
 void draw_words(drawing::Canvas& canvas, const Page& page, const PanelsFigure& figure) {
@@ -102,11 +105,12 @@ void draw_words(drawing::Canvas& canvas, const Page& page, const PanelsFigure& f
     // Images lie before lines: the frame is drawn round them.
     canvas.outline({{area.low.x - 0.5, area.low.y - 0.5}, {area.high.x + 0.5, area.high.y + 0.5}},
                    frame_grey, 0.5);
-    canvas.text({area.low.x + 1, area.high.y + 4.5}, time_stamp(panel.time),
+    canvas.text({area.low.x + 1, area.high.y + 4.5}, in_quotes(time_stamp(panel.time)),
                 {.size = 7, .colour = ink, .align = drawing::Align::left});
     if (panel.outside > 0)
       canvas.text({area.low.x + 3, area.low.y + 5},
-                  fmt::format("{} remnant{} outside", panel.outside, panel.outside > 1 ? "s" : ""),
+                  marked_up("{} remnant{} outside", panel.outside,
+                            panel.outside > 1 ? Literal("s") : Literal("")),
                   {.size = 6, .colour = ink, .align = drawing::Align::left});
   }
   draw_scale_bar(canvas, page, figure.frame_width);
@@ -120,16 +124,16 @@ void draw_words(drawing::Canvas& canvas, const Page& page, const PanelsFigure& f
 
 /// Images and where they lie; gnuplot reads their bytes behind the command that draws them.
 struct Images {
-  std::string command, bytes;
+  Script command, bytes;
 
   void add(const Bitmap& image, const drawing::Area& area) {
     const double dx = area.width() / image.width, dy = area.height() / image.height;
-    command += fmt::format(
+    command += script(
         "{} '-' binary array=({},{}) format='%uchar' dx={} dy={} origin=({},{}) flipy using 1:2:3 "
         "with rgbimage notitle",
-        command.empty() ? "plot" : ",", image.width, image.height, dx, dy, area.low.x + dx / 2,
-        area.low.y + dy / 2);
-    bytes.append(image.rgb.begin(), image.rgb.end());
+        command.empty() ? Literal("plot") : Literal(","), image.width, image.height, dx, dy,
+        area.low.x + dx / 2, area.low.y + dy / 2);
+    bytes += Script::pixels(image.rgb, image.width, image.height);
   }
 };
 
@@ -139,7 +143,7 @@ int panel_pixels(std::size_t panels) {
   return pixels_per_point * static_cast<int>(Page(panels).panel);
 }
 
-std::string panels_script(const PanelsFigure& figure) {
+drawing::Script panels_script(const PanelsFigure& figure) {
   const Page page(figure.panels.size());
   drawing::Canvas canvas(page.width, page.height);
   draw_words(canvas, page, figure);
@@ -151,7 +155,7 @@ std::string panels_script(const PanelsFigure& figure) {
     images.add(scale_image(static_cast<int>(2 * bar_width), 2),
                {{left, bar_bottom}, {left + bar_width, bar_bottom + bar_height}});
   }
-  return fmt::format(
+  return script(
              "set encoding utf8\nunset key\nunset border\nunset tics\n"
              "set lmargin at screen 0\nset rmargin at screen 1\nset tmargin at screen 1\n"
              "set bmargin at screen 0\nset xrange [0:{}]\nset yrange [0:{}]\n",

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
+#include "analysis/drawing/script.hpp"
 #include "analysis/pictures/particle_view.hpp"
 
 namespace eerie::pictures {
@@ -32,6 +32,6 @@ int panel_pixels(std::size_t panels);
 void draw_panels(const std::filesystem::path& path, const PanelsFigure& figure);
 
 /// gnuplot's commands for it, terminal apart, with the pixels of the panels inside.
-std::string panels_script(const PanelsFigure& figure);
+drawing::Script panels_script(const PanelsFigure& figure);
 
 }  // namespace eerie::pictures
