@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -9,7 +8,6 @@
 #include <vector>
 
 #include "campaign/sweeps/job.hpp"
-#include "db/views/query.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie::studies {
@@ -55,16 +53,5 @@ struct StudyRun {
 /// N^(4/3), times the seed, so that a dear run comes when as much has gone into more seeds of cheap
 /// ones.
 std::vector<StudyRun> runs_of(const Study& study);
-
-/// The first of `runs` that together cost no more than `core_hours`.
-template <class Run>
-std::vector<Run> affordable(std::vector<Run> runs, double core_hours, const db::Speed& speed) {
-  double left = core_hours * 3600;
-  const auto end = std::ranges::find_if(runs, [&](const Run& run) {
-    return (left -= speed.core_seconds_of(sweeps::expected_particle_steps(run.scene))) < 0;
-  });
-  runs.erase(end, runs.end());
-  return runs;
-}
 
 }  // namespace eerie::studies

@@ -16,6 +16,7 @@ namespace eerie::cli {
 using Action = std::function<int()>;
 
 inline constexpr int most_threads = 4096;
+inline constexpr int stopped_by_signal = 130;  // 128 + SIGINT, as shells expect
 
 // Options that several commands share.
 

@@ -50,6 +50,14 @@ manager::ManagerOptions manager_options(const EngineArguments& a) {
   return options;
 }
 
+manager::Workplace workplace(const EngineArguments& a, const manager::Share& share) {
+  return {[a](const db::Connection& connection, const manager::Split& split) {
+            open_manager_log(connection.path(), false);
+            return make_scheduler(a, connection, split.jobs, split.threads);
+          },
+          a.is_local(), share, manager_options(a)};
+}
+
 void open_manager_log(const std::filesystem::path& database, bool to_stderr) {
   constexpr std::size_t bytes = 10'000'000, files = 3;
   try {

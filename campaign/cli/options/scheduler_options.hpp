@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "campaign/manager/campaign_run.hpp"
 #include "campaign/manager/manager.hpp"
 #include "campaign/manager/scheduler.hpp"
 
@@ -31,6 +32,9 @@ std::unique_ptr<manager::Scheduler> make_scheduler(const EngineArguments& argume
                                                    std::size_t workers, int threads_per_job);
 
 manager::ManagerOptions manager_options(const EngineArguments& arguments);
+
+/// The same for campaigns that run to their end, with a log beside the database.
+manager::Workplace workplace(const EngineArguments& arguments, const manager::Share& share);
 
 /// Logs to "<database>.log", three files of 10 MB in turn, and to standard error where wanted.
 void open_manager_log(const std::filesystem::path& database, bool to_stderr);

@@ -12,7 +12,7 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/options/filters.hpp"
 #include "campaign/cli/output/text_table.hpp"
-#include "campaign/cli/work.hpp"
+#include "campaign/cli/output/files.hpp"
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/job.hpp"
 #include "campaign/text/csv.hpp"

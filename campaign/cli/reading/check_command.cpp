@@ -4,7 +4,7 @@
 
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/check_report.hpp"
-#include "campaign/cli/work.hpp"
+#include "campaign/cli/output/files.hpp"
 #include "campaign/maps/map.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"

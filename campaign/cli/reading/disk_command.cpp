@@ -8,7 +8,7 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/disk_report.hpp"
 #include "campaign/cli/output/text_table.hpp"
-#include "campaign/cli/work.hpp"
+#include "campaign/cli/output/files.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"

@@ -13,7 +13,7 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/options/find_job.hpp"
 #include "campaign/cli/output/text_table.hpp"
-#include "campaign/cli/work.hpp"
+#include "campaign/cli/output/files.hpp"
 #include "campaign/job_folder/snapshot_files.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"

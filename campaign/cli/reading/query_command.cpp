@@ -6,7 +6,7 @@
 #include "campaign/cli/options/filters.hpp"
 #include "campaign/cli/output/results_table.hpp"
 #include "campaign/cli/output/view_text.hpp"
-#include "campaign/cli/work.hpp"
+#include "campaign/cli/output/files.hpp"
 #include "db/store/bind.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"

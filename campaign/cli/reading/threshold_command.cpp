@@ -5,7 +5,7 @@
 
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/text_table.hpp"
-#include "campaign/cli/work.hpp"
+#include "campaign/cli/output/files.hpp"
 #include "campaign/maps/impact_runs.hpp"
 #include "campaign/maps/map.hpp"
 #include "solver/base/constants.hpp"

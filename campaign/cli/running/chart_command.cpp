@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/cli/options/command_list.hpp"
+#include "campaign/cli/options/study_options.hpp"
 #include "campaign/cli/output/text_table.hpp"
-#include "campaign/cli/study_work.hpp"
 #include "campaign/studies/cost_cases.hpp"
 #include "campaign/studies/cost_errors.hpp"
 #include "solver/base/error.hpp"
@@ -48,12 +48,12 @@ fs::path beside(const fs::path& picture, const std::string& end) {
 int chart(const ChartArguments& a) {
   const studies::ChartStudy study = studies::load_chart_study(a.work.study);
   const auto [left, results, jobs] =
-      work_on_study(a.work, study.name, study.document.dump(), studies::runs_of(study));
+      watch_study(a.work, study, studies::runs_of(study));
   const std::vector<studies::ChartPoint> points = studies::chart_points(study, results);
   if (points.empty())
     throw InputError(fmt::format(
         "{}: the database {} lacks the reference's result of some case: nothing to measure against",
-        a.work.study.string(), a.work.database.string()));
+        a.work.study.string(), a.work.plan.database.string()));
   make_folder_of(a.picture);
   const std::vector<studies::ChartCell> cells = studies::chart_cells(study, results);
   const std::vector<fs::path> files = {a.picture, beside(a.picture, ".csv"),

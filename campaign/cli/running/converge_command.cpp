@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/cli/options/command_list.hpp"
+#include "campaign/cli/options/study_options.hpp"
 #include "campaign/cli/output/text_table.hpp"
-#include "campaign/cli/study_work.hpp"
 #include "campaign/studies/particles_needed.hpp"
 #include "campaign/studies/study_diagnosis.hpp"
 #include "campaign/studies/study_page.hpp"
@@ -90,11 +90,11 @@ std::vector<fs::path> write_all(const studies::Study& study,
 int converge(const ConvergeArguments& a) {
   const studies::Study study = studies::load_study(a.work.study);
   auto [left, results, jobs] =
-      work_on_study(a.work, study.name, study.document.dump(), studies::runs_of(study));
+      watch_study(a.work, study, studies::runs_of(study));
   if (results.empty())
     throw InputError(fmt::format("{}: the database {} has no result of this study{}",
-                                 a.work.study.string(), a.work.database.string(),
-                                 a.work.known.empty() ? "" : ", nor have the known tables"));
+                                 a.work.study.string(), a.work.plan.database.string(),
+                                 a.work.plan.known.empty() ? "" : ", nor have the known tables"));
   make_folder_of(a.folder / "runs.csv");
   studies::look_up_published_time(study, results, jobs);
   const std::vector<studies::StudyCell> cells = studies::cells_of(study, results);

@@ -6,7 +6,7 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/options/scheduler_options.hpp"
 #include "campaign/cli/output/progress_line.hpp"
-#include "campaign/cli/work.hpp"
+#include "campaign/cli/output/files.hpp"
 #include "campaign/job_folder/provenance.hpp"
 #include "campaign/manager/local_processes.hpp"
 #include "campaign/manager/status_file.hpp"

@@ -4,7 +4,7 @@
 
 #include "campaign/cli/commands.hpp"
 #include "campaign/cli/output/text_table.hpp"
-#include "campaign/cli/work.hpp"
+#include "campaign/manager/throughput.hpp"
 #include "campaign/sweeps/job.hpp"
 #include "campaign/sweeps/plan.hpp"
 #include "db/jobs/jobs.hpp"

@@ -2,7 +2,7 @@
 
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/text_table.hpp"
-#include "campaign/cli/work.hpp"
+#include "campaign/cli/output/files.hpp"
 #include "campaign/manager/inbox.hpp"
 #include "campaign/sweeps/job.hpp"
 #include "campaign/sweeps/plan.hpp"

@@ -9,7 +9,8 @@
 #include "campaign/cli/output/results_table.hpp"
 #include "campaign/cli/output/text_table.hpp"
 #include "campaign/cli/output/view_text.hpp"
-#include "campaign/cli/work.hpp"
+#include "campaign/cli/output/campaign_watch.hpp"
+#include "campaign/cli/output/files.hpp"
 #include "campaign/job_folder/job_directory.hpp"
 #include "campaign/maps/map.hpp"
 #include "campaign/process/signals.hpp"
@@ -60,7 +61,7 @@ std::vector<fs::path> draw(const db::Connection& connection, const RunArguments&
 }
 
 json report_json(const db::Connection& connection, const RunArguments& a, std::int64_t sweep,
-                 const std::string& name, const Tally& t, const std::vector<fs::path>& pictures) {
+                 const std::string& name, const manager::Tally& t, const std::vector<fs::path>& pictures) {
   json failures = json::array();
   for (const db::FailureGroup& f : db::failures(connection, sweep))
     failures.push_back({{"kind", f.kind},
@@ -78,7 +79,7 @@ json report_json(const db::Connection& connection, const RunArguments& a, std::i
 }
 
 void print_report(const db::Connection& connection, const RunArguments& a, std::int64_t sweep,
-                  const Tally& t, const std::vector<fs::path>& pictures) {
+                  const manager::Tally& t, const std::vector<fs::path>& pictures) {
   db::ResultFilter filter;
   filter.sweep = sweep;
   fmt::print("\n{}\n", results_table(db::results(connection, filter)));
@@ -123,7 +124,7 @@ int run(const RunArguments& a) {
   const db::AddedSweep added = sweeps::store(connection, plan);
   if (a.retry_failed) db::retry_failed(connection, added.sweep);
 
-  const Tally before = tally(connection, added.sweep);
+  const manager::Tally before = manager::tally(connection, added.sweep);
   if (!a.json) {
     if (before.left == 0)
       fmt::print("{}: nothing left to do\n", name);
@@ -132,10 +133,14 @@ int run(const RunArguments& a) {
     std::fflush(stdout);
   }
   if (before.left > 0) print_warnings(sweeps::cautions(plan.scenes));
-  if (before.left > 0)
-    work(connection, {a.workers, a.threads_per_job, a.json}, added.sweep, a.engine);
+  if (before.left > 0) {
+    CampaignWatch watch(name, a.json);
+    manager::work(connection, added.sweep, workplace(a.engine, {a.workers, a.threads_per_job}),
+                  watch);
+    watch.finish();
+  }
 
-  const Tally after = tally(connection, added.sweep);
+  const manager::Tally after = manager::tally(connection, added.sweep);
   std::vector<fs::path> pictures;
   std::string no_pictures;  // why; the outcomes are told all the same
   try {

@@ -64,19 +64,6 @@ TEST(Study, RunsWhatIsWorthMostForItsCostFirst) {
                                  std::pair(300, 3), std::pair(300, 4), std::pair(600, 2)));
 }
 
-TEST(Study, SpendsNoMoreThanItsBudget) {
-  const auto runs = runs_of(parse_study(small_study(), "study.json"));
-  const double first_two = sweeps::expected_particle_steps(runs[0].scene) +
-                           sweeps::expected_particle_steps(runs[1].scene);
-  constexpr double rate = 1e6;
-  const db::Speed speed{2, 2 * rate, 0}, slower_than_expected{2, 2 * rate, 0.5};
-  EXPECT_EQ(affordable(runs, 1.001 * first_two / rate / 3600, speed).size(), 2u);
-  EXPECT_EQ(affordable(runs, 0.999 * first_two / rate / 3600, speed).size(), 1u);
-  EXPECT_EQ(affordable(runs, 1e6, speed).size(), runs.size());
-  EXPECT_EQ(affordable(runs, 1.999 * first_two / rate / 3600, slower_than_expected).size(), 1u);
-  EXPECT_EQ(affordable(runs, 2.001 * first_two / rate / 3600, slower_than_expected).size(), 2u);
-}
-
 TEST(Study, ComplaintsNameTheFieldAndTheMend) {
   json study = small_study();
   study["ladder"][1]["cases"] = {"quick"};

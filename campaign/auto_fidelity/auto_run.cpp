@@ -1,0 +1,79 @@
+#include "campaign/auto_fidelity/auto_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "campaign/auto_fidelity/auto_map.hpp"
+#include "campaign/process/signals.hpp"
+#include "campaign/sweeps/job.hpp"
+#include "db/jobs/control.hpp"
+#include "db/jobs/jobs.hpp"
+#include "solver/base/file.hpp"
+
+namespace eerie::auto_fidelity {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Those of the next runs that the budget still pays for.
+std::vector<Wanted> affordable_next(const AutoFidelity& campaign, double core_hours,
+                                    const db::Connection& connection) {
+  if (core_hours == 0) return campaign.next();
+  return manager::affordable(campaign.next(), core_hours - spent_core_hours(campaign),
+                             manager::known_speed(connection));
+}
+
+}  // namespace
+
+manager::Tally run_auto(db::Connection& connection, AutoFidelity& campaign, const AutoPlan& plan,
+                        const manager::Workplace& workplace, AutoObserver& observer) {
+  manager::Tally last;
+  for (int round = 1; process::stop_requests() == 0; ++round) {
+    campaign.update(connection);
+    const std::vector<Wanted> wanted = affordable_next(campaign, plan.core_hours, connection);
+    if (wanted.empty()) break;
+    std::vector<Scene> scenes;
+    for (const Wanted& run : wanted) scenes.push_back(run.scene);
+    const db::AddedSweep added =
+        db::add_sweep(connection, plan.name, plan.document, sweeps::jobs_of(scenes));
+    if (plan.retry_failed && round == 1) db::retry_failed(connection, added.sweep);
+    last = manager::tally(connection, added.sweep);
+    if (last.left == 0) break;  // what is wanted has failed before
+    const auto surveys =
+        static_cast<std::size_t>(std::ranges::count(wanted, true, &Wanted::survey));
+    observer.begins({round, wanted.size() - surveys, surveys, last.left}, campaign);
+    manager::work(connection, added.sweep, workplace, observer);
+    last = manager::tally(connection, added.sweep);
+    if (last.left > 0) break;  // stopped, or paused
+  }
+  campaign.update(connection);
+  return last;
+}
+
+double spent_core_hours(const AutoFidelity& campaign) {
+  double sum = 0;
+  for (const auto& [fidelity, seconds] : campaign.core_seconds()) sum += seconds;
+  return sum / 3600;
+}
+
+std::size_t doubtful(const AutoFidelity& campaign) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      campaign.cells(), [&](const AutoCell& cell) { return campaign.in_doubt(cell); }));
+}
+
+std::vector<fs::path> write_results(const AutoFidelity& campaign, const fs::path& stem) {
+  std::vector<fs::path> files = {stem.string() + ".csv"};
+  install_text(files[0], auto_csv(campaign));
+  const std::vector<diagrams::PhaseDiagram> diagrams = phase_diagrams(campaign);
+  for (const diagrams::PhaseDiagram& diagram : diagrams)
+    for (const char* end : {".png", ".svg"}) {
+      const std::string which =
+          diagrams.size() > 1 ? fmt::format("-q{}-phi{}", diagram.q, diagram.phi_d_deg) : "";
+      files.push_back(stem.string() + which + end);
+      diagrams::draw_phase_diagram(files.back(), diagram);
+    }
+  return files;
+}
+
+}  // namespace eerie::auto_fidelity

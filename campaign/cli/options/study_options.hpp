@@ -1,0 +1,35 @@
+#pragma once
+
+#include "campaign/cli/options/options.hpp"
+#include "campaign/cli/options/scheduler_options.hpp"
+#include "campaign/cli/output/campaign_watch.hpp"
+#include "campaign/cli/output/files.hpp"
+#include "campaign/studies/study_run.hpp"
+
+namespace eerie::cli {
+
+/// What commands that run studies share.
+struct StudyArguments {
+  std::filesystem::path study;
+  studies::StudyPlan plan;  ///< but for name and document
+  manager::Share share;
+  bool json = false;
+};
+void add_study(CLI::App& app, StudyArguments& arguments);
+
+/// studies::work_on_study(), shown on the terminal.
+template <class Study, class Run>
+studies::StudyWork<Run> watch_study(StudyArguments a, const Study& study,
+                                    const std::vector<Run>& runs) {
+  a.plan.name = study.name, a.plan.document = study.document.dump();
+  if (!a.plan.draw_only) make_folder_of(a.plan.database);
+  CampaignWatch watch(study.name, a.json);
+  auto work = studies::work_on_study(a.plan, runs, workplace({}, a.share), watch);
+  watch.finish();
+  return work;
+}
+
+/// Of a study that is not finished; the exit code.
+int study_exit(const manager::Tally& left);
+
+}  // namespace eerie::cli

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "campaign/manager/manager.hpp"
+#include "campaign/manager/scheduler.hpp"
+#include "campaign/manager/split.hpp"
+#include "campaign/manager/throughput.hpp"
+#include "campaign/sweeps/job.hpp"
+#include "db/store/connection.hpp"
+
+namespace eerie::manager {
+
+/// How the user wants the cores shared; 0: chosen.
+struct Share {
+  int workers = 0, threads_per_job = 0;
+};
+
+/// Where the workers of a campaign run, and how its manager treats them.
+struct Workplace {
+  /// The scheduler of a database whose job folder is chosen.
+  std::function<std::unique_ptr<Scheduler>(const db::Connection&, const Split&)> scheduler;
+  bool is_this_machine = true;  ///< whose cores are then shared by choose_split()
+  Share share;
+  ManagerOptions options;
+};
+
+/// Is told how a campaign goes; what it does not care for it leaves out.
+class CampaignObserver {
+ public:
+  virtual ~CampaignObserver() = default;
+  /// Splits of the cores with their speeds; the first, the fastest, is taken.
+  virtual void measured(std::span<const Split> /*splits*/) {}
+  /// A few times per second.
+  virtual void at_work(const CampaignView& /*view*/) {}
+};
+
+/// As the user says, else as measured on the longest job; without a measurement, many narrow jobs.
+Split choose_split(const Share& share, const std::vector<db::Job>& pending,
+                   const db::Connection& connection, CampaignObserver& observer);
+
+/// Runs the pending jobs of a sweep until none is left or a stop is asked for. The caller holds the
+/// database's lock and catches stop signals.
+void work(db::Connection& connection, std::int64_t sweep, const Workplace& workplace,
+          CampaignObserver& observer);
+
+/// How many jobs of a sweep there are.
+struct Tally {
+  std::size_t total = 0, done = 0, failed = 0, left = 0;
+  std::size_t paused = 0;  ///< of those left
+};
+Tally tally(const db::Connection& connection, std::int64_t sweep);
+
+/// The first of `runs`, which have a `scene` each, that together cost no more than `core_hours`.
+template <class Run>
+std::vector<Run> affordable(std::vector<Run> runs, double core_hours, const db::Speed& speed) {
+  double left = core_hours * 3600;
+  const auto end = std::ranges::find_if(runs, [&](const Run& run) {
+    return (left -= speed.core_seconds_of(sweeps::expected_particle_steps(run.scene))) < 0;
+  });
+  runs.erase(end, runs.end());
+  return runs;
+}
+
+/// The speed that a database has measured, or the assumed one.
+db::Speed known_speed(const db::Connection& connection);
+
+}  // namespace eerie::manager
