@@ -36,7 +36,7 @@ manager::Tally run_auto(db::Connection& connection, AutoFidelity& campaign, cons
     std::vector<Scene> scenes;
     for (const Wanted& run : wanted) scenes.push_back(run.scene);
     const db::AddedSweep added =
-        db::add_sweep(connection, plan.name, plan.document, sweeps::jobs_of(scenes));
+        db::add_sweep(connection, plan.name, plan.document, sweeps::identify(scenes));
     if (plan.retry_failed && round == 1) db::retry_failed(connection, added.sweep);
     last = manager::tally(connection, added.sweep);
     if (last.left == 0) break;  // what is wanted has failed before

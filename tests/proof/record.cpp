@@ -14,34 +14,29 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\\\"") : std::string(1, c);
-  return out + "\"";
-}
-
 std::size_t colour_of(const Figure& figure, std::size_t k) {
   const int chosen = figure.curves[k].colour;
   return chosen > 0 ? static_cast<std::size_t>(chosen) : k + 1;
 }
 
-std::string script_of(const Figure& figure, const fs::path& path) {
-  std::string script = drawing::gnuplot_terminal(path, 360, 230) + "\n";
-  script += fmt::format(
+drawing::Script script_of(const Figure& figure, const fs::path& path) {
+  drawing::Script script = drawing::gnuplot_terminal(path, 360, 230) + "\n";
+  script += drawing::script(
       "set xlabel {}\nset ylabel {}\nset key outside top center horizontal\n"
       "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n{}\n",
-      quoted(figure.x_label), quoted(figure.y_label), figure.extra);
+      drawing::in_quotes(figure.x_label), drawing::in_quotes(figure.y_label), figure.extra);
   for (std::size_t k = 0; k < figure.curves.size(); ++k) {
-    script += fmt::format("$c{} << EOD\n", k);
+    script += drawing::script("$c{} << EOD\n", k);
     for (std::size_t i = 0; i < figure.curves[k].x.size(); ++i)
-      script += fmt::format("{:.8g} {:.8g}\n", figure.curves[k].x[i], figure.curves[k].y[i]);
+      script += drawing::script("{:.8g} {:.8g}\n", figure.curves[k].x[i], figure.curves[k].y[i]);
     script += "EOD\n";
   }
   script += "plot ";
   for (std::size_t k = 0; k < figure.curves.size(); ++k)
-    script +=
-        fmt::format("{}$c{} using 1:2 with {} lt {} title {}", k > 0 ? ", " : "", k,
-                    figure.curves[k].style, colour_of(figure, k), quoted(figure.curves[k].title));
+    script += drawing::script("{}$c{} using 1:2 with {} lt {} title {}",
+                              k > 0 ? drawing::Literal(", ") : drawing::Literal(""), k,
+                              figure.curves[k].style, colour_of(figure, k),
+                              drawing::in_quotes(figure.curves[k].title));
   return script + "\n";
 }
 

@@ -4,21 +4,23 @@
 #include <string>
 #include <vector>
 
+#include "analysis/drawing/script.hpp"
+
 namespace eerie::proof {
 
 /// One line or set of points of a figure.
 struct Curve {
   std::string title;
   std::vector<double> x, y;
-  std::string style = "lines lw 2";  ///< gnuplot's "with ..."
-  int colour = 0;                    ///< from 1; 0: the place in the figure
+  drawing::Literal style = "lines lw 2";  ///< gnuplot's "with ..."
+  int colour = 0;                         ///< from 1; 0: the place in the figure
 };
 
 /// A figure of curves, drawn by gnuplot as SVG.
 struct Figure {
   std::string name, caption, x_label, y_label;
   std::vector<Curve> curves;
-  std::string extra;  ///< further gnuplot settings, e.g. "set logscale x"
+  drawing::Literal extra = "";  ///< further gnuplot settings, e.g. "set logscale x"
 };
 
 /// What a proof measured: it is checked as a test and kept for the report. Where EERIE_REPORT

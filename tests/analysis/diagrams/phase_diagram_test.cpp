@@ -47,7 +47,7 @@ TEST(PhaseDiagram, OtherExtensionsAreRefused) {
 }
 
 std::string script(const PhaseDiagram& map, MapQuantity quantity = MapQuantity::b_over_a) {
-  return phase_script({{map}, {quantity}}).commands;
+  return phase_script({{map}, {quantity}}).commands.text();
 }
 
 std::size_t count(const std::string& text, const std::string& words) {
@@ -93,7 +93,7 @@ TEST(PhaseDiagram, LegendNamesOnlyWhatTheMapShows) {
 std::string cells_of(const PhaseDiagram& map) {
   drawing::Canvas canvas(100, 100);
   draw_cells(canvas, CellGrid(map), {14, 17, 9, 12, {{0, 0}, {100, 100}}}, {});
-  return canvas.commands();
+  return canvas.commands().text();
 }
 
 TEST(PhaseDiagram, MissingPendingFailedUnsettledAndStaleImpactsLookDifferentFromOneAnother) {
@@ -149,7 +149,7 @@ TEST(PhaseFigure, HasAPanelForEachPlaceWithOneScale) {
   PhaseDiagram other = small_map();
   other.phi_d_deg = 50, other.threshold_cm_per_s = 7.4;
   for (PhaseCell& cell : other.cells) cell.v_imp_cm_per_s += 10;
-  const std::string text = phase_script({{small_map(), other}}).commands;
+  const std::string text = phase_script({{small_map(), other}}).commands.text();
   EXPECT_EQ(count(text, "plot $none"), 2u);
   EXPECT_EQ(count(text, "set colorbox vertical"), 1u);
   EXPECT_EQ(count(text, "set xrange [13.5:34]"), 2u);
@@ -161,7 +161,7 @@ TEST(PhaseFigure, HasAPanelForEachQuantityWithItsOwnScale) {
   const std::string text =
       phase_script(
           {{small_map()}, {MapQuantity::b_over_a, MapQuantity::m_lr, MapQuantity::outcome}})
-          .commands;
+          .commands.text();
   EXPECT_EQ(count(text, "plot $none"), 3u);
   EXPECT_EQ(count(text, "set colorbox vertical"), 2u);
 }

@@ -31,12 +31,12 @@ TEST(DiskFigure, IsDrawnInEveryFormatWithUnitsOnItsAxes) {
 }
 
 TEST(DiskFigure, ShowsThePapersLimitsOnlyForThePapersBodies) {
-  EXPECT_THAT(disk_script(turbulence_figure(DragLaw::published, {}, au, 100 * au)),
+  EXPECT_THAT(disk_script(turbulence_figure(DragLaw::published, {}, au, 100 * au)).text(),
               HasSubstr("in the paper''s text"));
   const Body smaller{50, 2700};
   const DiskFigure other = turbulence_figure(DragLaw::weidenschilling, smaller, au, 100 * au);
   EXPECT_EQ(other.laws.size(), 1u);
-  EXPECT_THAT(disk_script(other), Not(HasSubstr("in the paper''s text")));
+  EXPECT_THAT(disk_script(other).text(), Not(HasSubstr("in the paper''s text")));
   EXPECT_THROW(turbulence_figure(DragLaw::published, smaller, au, 100 * au), InputError);
   EXPECT_TRUE(
       stirring_figure(DragLaw::published, {}, {0.02, 2700}, au, 100 * au).published.empty());
@@ -44,15 +44,15 @@ TEST(DiskFigure, ShowsThePapersLimitsOnlyForThePapersBodies) {
 
 TEST(DiskFigure, KeepsTheContoursThatMatterInItsFrame) {
   // Whole decades about 15 cm/s (1.4e-5 at 1 AU) and 40 cm/s (1.3e-2 at 100 AU).
-  EXPECT_THAT(disk_script(turbulence_figure(DragLaw::published, {}, au, 100 * au)),
+  EXPECT_THAT(disk_script(turbulence_figure(DragLaw::published, {}, au, 100 * au)).text(),
               HasSubstr("set yrange [1e-05:0.1]"));
-  EXPECT_THAT(disk_script(stirring_figure(DragLaw::published, {}, {}, au, 100 * au)),
+  EXPECT_THAT(disk_script(stirring_figure(DragLaw::published, {}, {}, au, 100 * au)).text(),
               HasSubstr("set yrange [0.1:100]"));
 }
 
 TEST(DiskFigure, DrawsTheLawAskedForSolidAndTheOtherDashed) {
   const std::string script =
-      disk_script(turbulence_figure(DragLaw::weidenschilling, {}, au, 100 * au));
+      disk_script(turbulence_figure(DragLaw::weidenschilling, {}, au, 100 * au)).text();
   EXPECT_THAT(script, HasSubstr("'40 cm/s, Weidenschilling''s drag'"));
   EXPECT_THAT(script, HasSubstr("'dashed: published drag'"));
   EXPECT_THAT(script, HasSubstr("'intermediate'"));

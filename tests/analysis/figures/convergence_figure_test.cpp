@@ -32,7 +32,7 @@ TEST(ConvergenceFigure, IsDrawnAndReplacesNothingWhenThereIsNothingToDraw) {
 }
 
 TEST(ConvergenceFigure, ShowsEveryPointWithItsBarsAndThePublishedNumberOnce) {
-  const std::string script = convergence_script(small_figure());
+  const std::string script = convergence_script(small_figure()).text();
   EXPECT_THAT(script, HasSubstr(" 0.3 0.02 0.27 0.33\n"));
   EXPECT_THAT(script, HasSubstr(" 0.25 0 0.25 0.25\n"));
   EXPECT_THAT(script, HasSubstr("plot 0.24 with lines"));
@@ -42,11 +42,11 @@ TEST(ConvergenceFigure, ShowsEveryPointWithItsBarsAndThePublishedNumberOnce) {
 }
 
 TEST(ConvergenceFigure, ShowsWhatWasSeenEarlierAsOpenMarksWithinThePanel) {
-  EXPECT_THAT(convergence_script(small_figure()), Not(HasSubstr("pt 6")));
+  EXPECT_THAT(convergence_script(small_figure()).text(), Not(HasSubstr("pt 6")));
   ConvergenceFigure figure = small_figure();
   figure.panels[0].earlier = {{{1000, 0.9, 0, 0.9, 0.9}}, {}};
   figure.earlier = "at 100000 s";
-  const std::string script = convergence_script(figure);
+  const std::string script = convergence_script(figure).text();
   EXPECT_THAT(script, HasSubstr("$p0s0e << EOD\n975 0.9\nEOD\n")) << "beside, as its series";
   EXPECT_THAT(script, HasSubstr("$p0s0e using 1:2 with points pt 6"));
   EXPECT_THAT(script, HasSubstr("title 'at 100000 s'"));

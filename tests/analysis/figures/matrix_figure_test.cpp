@@ -20,7 +20,7 @@ MatrixFigure small_matrix() {
 }
 
 TEST(MatrixFigure, ColoursEveryCellAsMapsDo) {
-  const std::string script = matrix_script(small_matrix());
+  const std::string script = matrix_script(small_matrix()).text();
   for (const double b_over_a : {0.25, 0.5, 0.26})
     EXPECT_THAT(script, HasSubstr(drawing::hex(drawing::b_over_a_colour(b_over_a))));
   EXPECT_THAT(script, HasSubstr(".50  .49"));

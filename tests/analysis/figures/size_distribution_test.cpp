@@ -44,7 +44,7 @@ TEST(SizeDistribution, OfAPowerLawIsThatPowerLaw) {
 TEST(SizesFigure, StatesTheLimitOfEachResolution) {
   SizeDistribution finer = three_remnants();
   finer.name = "paper", finer.limit = 0.001;
-  const std::string script = sizes_script({three_remnants(), finer});
+  const std::string script = sizes_script({three_remnants(), finer}).text();
   for (const char* text : {"set arrow from 0.05,", "set arrow from 0.001,", "100 particles",
                            "survey: 1,000 particles per target, 2 impacts"})
     EXPECT_THAT(script, testing::HasSubstr(text));

@@ -44,11 +44,12 @@ TEST(PanelsFigure, IsDrawnInEveryFormatWithTimesScaleAndColours) {
 }
 
 TEST(PanelsFigure, QuantitiesHaveAColourBarWithTheirUnit) {
-  const std::string speed = panels_script(figure(5, ParticleColour::speed));
+  const std::string speed = panels_script(figure(5, ParticleColour::speed)).text();
   EXPECT_THAT(speed, HasSubstr("speed in own clump (cm/s)"));
   EXPECT_THAT(speed, HasSubstr("\"≥ 5\""));  // 0.05 m/s, and some are faster
   EXPECT_THAT(speed, Not(HasSubstr("impactor")));
-  EXPECT_THAT(panels_script(figure(2, ParticleColour::depth)), HasSubstr("initial depth (m)"));
+  EXPECT_THAT(panels_script(figure(2, ParticleColour::depth)).text(),
+              HasSubstr("initial depth (m)"));
 }
 
 TEST(PanelsFigure, UpToThreePanelsFitAColumnAndMoreAPage) {

@@ -5,12 +5,12 @@
 namespace eerie::manager {
 namespace {
 
-struct Run {
+struct Planned {
   Scene scene;
 };
 
 TEST(Affordable, SpendsNoMoreThanItsBudget) {
-  std::vector<Run> runs(5);
+  std::vector<Planned> runs(5);
   for (std::size_t k = 0; k < runs.size(); ++k)
     runs[k].scene.numerics.particles_per_target = 300 * (1 + static_cast<std::int64_t>(k));
   const double first_two = sweeps::expected_particle_steps(runs[0].scene) +

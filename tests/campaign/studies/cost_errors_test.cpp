@@ -157,7 +157,7 @@ TEST(Chart, ShowsSettingsThatLackACaseApartFromTheFrontier) {
   EXPECT_TRUE(points[0].frontier);  // though the other would be cheaper
   EXPECT_EQ(points[0].cases, "slow, fast");
   EXPECT_THAT(chart_csv(study, points), HasSubstr("\"cfl\",\"1\",\"fast\",2,1,"));
-  EXPECT_THAT(figures::accuracy_script(chart_figure(study, points)),
+  EXPECT_THAT(figures::accuracy_script(chart_figure(study, points)).text(),
               HasSubstr("some impacts only"));
 }
 
@@ -170,7 +170,7 @@ TEST(Chart, DrawsKnobsByNameAndTheDefaultAsAStar) {
   ASSERT_EQ(figure.series.size(), 3u);
   EXPECT_TRUE(figure.series[0].is_default);
   EXPECT_EQ(figure.series[1].points.size(), 2u);
-  const std::string script = figures::accuracy_script(figure);
+  const std::string script = figures::accuracy_script(figure).text();
   EXPECT_THAT(script, HasSubstr("title 'cfl'"));
   EXPECT_THAT(script, HasSubstr("title 'frontier'"));
   EXPECT_THAT(script, Not(HasSubstr("some impacts only")));
@@ -221,7 +221,7 @@ TEST(Chart, WritesTheNamesOfFidelitiesBesideTheirPoints) {
   EXPECT_EQ(figure.series[0].points[0].name, "sketch");
   EXPECT_EQ(figure.series[1].points[0].name, "survey");
   EXPECT_EQ(figure.series[1].points[1].name, "");
-  const std::string script = figures::accuracy_script(figure);
+  const std::string script = figures::accuracy_script(figure).text();
   EXPECT_THAT(script, HasSubstr(" sketch\n10 0.00"));
   EXPECT_THAT(script, HasSubstr("$p3names using 1:2:3 with labels"));
 }
