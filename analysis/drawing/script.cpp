@@ -10,16 +10,23 @@ namespace eerie::drawing {
 namespace {
 
 constexpr std::string_view markup = "{}_^@&~\\";
+/// A backslash, and an empty group behind it: terminals look for "\U+0041" before they look for
+/// markup, and take text without any other markup as it is, its backslashes doubled.
+constexpr std::string_view backslash = "\\\\{}";
+
+constexpr std::string_view no_width = "\u200b";
 
 /// A letter as it is shown, with a backslash before markup.
 std::string shown(const Letter& letter) {
   if (!letter.valid) return "\xef\xbf\xbd";
-  if (is_control(letter.code)) {
-    if (letter.code == '\n') return "\\\\n";
-    if (letter.code == '\t') return "\\\\t";
-    const auto code = static_cast<unsigned>(letter.code);
-    return code < 0x100 ? fmt::format("\\\\x{:02x}", code) : fmt::format("\\\\u{:04x}", code);
-  }
+  const auto code = static_cast<unsigned>(letter.code);
+  if (is_control(letter.code))
+    return fmt::format("{}{}", backslash,
+                       code == '\n'   ? "n"
+                       : code == '\t' ? "t"
+                       : code < 0x100 ? fmt::format("x{:02x}", code)
+                                      : fmt::format("u{:04x}", code));
+  if (letter.code == '\\') return std::string(backslash);
   std::string text(letter.bytes);
   if (markup.find(text) != std::string_view::npos) text.insert(0, 1, '\\');
   return text;
@@ -38,6 +45,8 @@ Quoted in_quotes(std::string_view text) {
       break;
     }
     const Letter letter = letter_at(text, at);
+    // XML has no "]]>" in text, and gnuplot writes it all the same.
+    if (enhanced.ends_with("]]") && letter.code == '>') enhanced += no_width;
     enhanced += shown(letter);
     at += letter.bytes.size();
   }
@@ -62,15 +71,13 @@ Quoted Quoted::with_letters(std::string enhanced) {
 
 std::string Quoted::in_script() const {
   std::string out = "\"";
-  // Terminals take text without any other markup as it is, its backslashes too.
-  if (enhanced_.find('\\') != std::string::npos &&
-      enhanced_.find_first_of("{}_^@&~") == std::string::npos)
-    out += "{}";
-  bool escaped = false;
+  bool escaped = false, octal = false;
   for (const char c : enhanced_) {
     const bool obeyed = std::string_view("\\\"'`$#@").find(c) != std::string_view::npos;
-    out += obeyed || escaped ? fmt::format("\\{:03o}", static_cast<unsigned char>(c))
-                             : std::string(1, c);
+    // gnuplot reads more than three digits.
+    const bool goes_on = octal && c >= '0' && c <= '9';
+    octal = obeyed || escaped || goes_on;
+    out += octal ? fmt::format("\\{:03o}", static_cast<unsigned char>(c)) : std::string(1, c);
     escaped = !escaped && c == '\\';
   }
   return out + "\"";

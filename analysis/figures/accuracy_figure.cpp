@@ -163,7 +163,7 @@ Script panel_commands(const AccuracyFigure& figure, std::size_t p, double height
   Extent errors;
   each_point(figure, [&](const AccuracyPoint& x) { errors.include(height(x.errors[p])); });
   text += script("set yrange [{}:{}]\nset ylabel {} offset 0.9,0\n", errors.low / 2,
-                 errors.high * 2, in_quotes("error of " + figure.panels[p]));
+                 errors.high * 2, in_quotes("error of ") + in_quotes(figure.panels[p]));
   Script curves = script("$p{}frontier using 1:2 with steps lw 3 lc rgb '#dddddd' notitle", p);
   for (const std::size_t s : drawing_order(figure)) {
     const Look look = look_of(figure, s);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <string_view>
 
 #include "analysis/remnants/remnants.hpp"
 #include "campaign/results/run_statistics.hpp"
+#include "campaign/text/plain_text.hpp"
 
 namespace eerie::studies {
 
@@ -20,10 +22,14 @@ std::string thousands(std::int64_t n) {
   return text;
 }
 
-/// A title without the braces that gnuplot needs around subscripts.
-std::string plain(std::string title) {
-  std::erase_if(title, [](char c) { return c == '{' || c == '}'; });
-  return title;
+/// A title as Markdown shows it letter by letter, on one line.
+std::string plain(const std::string& title) {
+  std::string out;
+  for (const char c : text::plain_text(title)) {
+    if (std::string_view("\\`*<[]|").find(c) != std::string_view::npos) out += '\\';
+    out += c;
+  }
+  return out;
 }
 
 std::string range(const statistics::Ensemble& e, int digits) {

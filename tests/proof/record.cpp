@@ -20,24 +20,24 @@ std::size_t colour_of(const Figure& figure, std::size_t k) {
 }
 
 drawing::Script script_of(const Figure& figure, const fs::path& path) {
-  drawing::Script script = drawing::gnuplot_terminal(path, 360, 230) + "\n";
-  script += drawing::script(
+  using drawing::in_quotes, drawing::Literal;
+  drawing::Script text = drawing::gnuplot_terminal(path, 360, 230);
+  text += drawing::script(
       "set xlabel {}\nset ylabel {}\nset key outside top center horizontal\n"
       "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n{}\n",
-      drawing::in_quotes(figure.x_label), drawing::in_quotes(figure.y_label), figure.extra);
+      in_quotes(figure.x_label), in_quotes(figure.y_label), figure.extra);
   for (std::size_t k = 0; k < figure.curves.size(); ++k) {
-    script += drawing::script("$c{} << EOD\n", k);
+    text += drawing::script("$c{} << EOD\n", k);
     for (std::size_t i = 0; i < figure.curves[k].x.size(); ++i)
-      script += drawing::script("{:.8g} {:.8g}\n", figure.curves[k].x[i], figure.curves[k].y[i]);
-    script += "EOD\n";
+      text += drawing::script("{:.8g} {:.8g}\n", figure.curves[k].x[i], figure.curves[k].y[i]);
+    text += "EOD\n";
   }
-  script += "plot ";
+  text += "plot ";
   for (std::size_t k = 0; k < figure.curves.size(); ++k)
-    script += drawing::script("{}$c{} using 1:2 with {} lt {} title {}",
-                              k > 0 ? drawing::Literal(", ") : drawing::Literal(""), k,
-                              figure.curves[k].style, colour_of(figure, k),
-                              drawing::in_quotes(figure.curves[k].title));
-  return script + "\n";
+    text += drawing::script("{}$c{} using 1:2 with {} lt {} title {}",
+                            k > 0 ? Literal(", ") : Literal(""), k, figure.curves[k].style,
+                            colour_of(figure, k), in_quotes(figure.curves[k].title));
+  return text + "\n";
 }
 
 const char* report_folder() { return std::getenv("EERIE_REPORT"); }

@@ -14,7 +14,7 @@ namespace {
 
 /// Shape of the largest remnant over time, and the end.
 ImpactEnd charted(const Scene& scene, double end_s, Figure& figure) {
-  Curve shape{"b/a", {}, {}}, length{"a / 1 km", {}, {}}, mass{"M_{lr}/M", {}, {}};
+  Curve shape{"b/a", {}, {}}, length{"a / 1 km", {}, {}}, mass{"M_lr/M", {}, {}};
   const ImpactEnd end = followed(scene, end_s, 120, [&](const step::Solver& solver) {
     const remnants::Analysis now =
         remnants::analyse({scene, solver.state(), solver.pressure(), {}, {}});

@@ -12,7 +12,7 @@ namespace eerie::proof {
 namespace {
 
 using nlohmann::json;
-constexpr const char* dots = "linespoints lw 2 pt 7 ps 0.4";
+constexpr drawing::Literal dots = "linespoints lw 2 pt 7 ps 0.4";
 
 /// The reference impact at 500 per target, started close, to 4,000 s.
 ImpactEnd short_impact(json changes) {

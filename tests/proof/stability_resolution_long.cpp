@@ -90,7 +90,7 @@ TEST(LateTimes, LeaveASettledRemnantAsItIs) {
       "stability", 31, "Creep of a settled remnant",
       "The reference impact at 1,000 per target, to 1e5 s: after it has come to rest (2.5e4 "
       "s) neither shape nor spin may move. Without the dual force the spin is lost.");
-  Curve shape{"b/a", {}, {}}, period{"period / 10 h", {}, {}}, mass{"M_{lr}/M", {}, {}};
+  Curve shape{"b/a", {}, {}}, period{"period / 10 h", {}, {}}, mass{"M_lr/M", {}, {}};
   const Scene scene = impact_scene(1000, nlohmann::json::object());
   const ImpactEnd end = followed(scene, 100000, 100, [&](const step::Solver& solver) {
     const remnants::Remnant r =

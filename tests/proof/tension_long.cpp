@@ -27,7 +27,7 @@ TEST(TensionLong, StrengthFollowsTheRateWhereSeveralFlawsOfAParticleAreActive) {
       "particles of 9.7 mm to rates where the law must bend.");
   Curve fitted{"particles that fit the rate", {}, {}, "points pt 7 ps 0.6"},
       fixed{"one cube", {}, {}, "points pt 6 ps 0.6"},
-      alone{"without inertia", {}, {}, "lines lw 1"}, law{"rate^{1/4}", {}, {}, "lines dt 2"};
+      alone{"without inertia", {}, {}, "lines lw 1"}, law{"rate^(1/4)", {}, {}, "lines dt 2"};
   double worst = 1, scatter = 0;
   const auto add = [&](Curve& curve, const Pull& p) {
     const Strength s = pull(p);

@@ -88,7 +88,8 @@ TEST_F(Gnuplot, OneCellMakesAMap) {
 TEST_F(Gnuplot, FaultyScriptIsAnErrorInItsOwnWordsAndKeepsTheOldFile) {
   install_text(folder_ / "map.svg", "old");
   try {
-    drawing::run_gnuplot("set terminal svg\nplot no_such_function(x)\n", folder_ / "map.svg");
+    drawing::run_gnuplot(drawing::Script("set terminal svg\nplot no_such_function(x)\n"),
+                         folder_ / "map.svg");
     FAIL() << "it was drawn";
   } catch (const EnvironmentError& error) {
     EXPECT_THAT(error.what(), HasSubstr("undefined function: no_such_function"));

@@ -32,11 +32,11 @@ TEST(DiskFigure, IsDrawnInEveryFormatWithUnitsOnItsAxes) {
 
 TEST(DiskFigure, ShowsThePapersLimitsOnlyForThePapersBodies) {
   EXPECT_THAT(disk_script(turbulence_figure(DragLaw::published, {}, au, 100 * au)).text(),
-              HasSubstr("in the paper''s text"));
+              HasSubstr("in the paper\\047s text"));
   const Body smaller{50, 2700};
   const DiskFigure other = turbulence_figure(DragLaw::weidenschilling, smaller, au, 100 * au);
   EXPECT_EQ(other.laws.size(), 1u);
-  EXPECT_THAT(disk_script(other).text(), Not(HasSubstr("in the paper''s text")));
+  EXPECT_THAT(disk_script(other).text(), Not(HasSubstr("in the paper\\047s text")));
   EXPECT_THROW(turbulence_figure(DragLaw::published, smaller, au, 100 * au), InputError);
   EXPECT_TRUE(
       stirring_figure(DragLaw::published, {}, {0.02, 2700}, au, 100 * au).published.empty());
@@ -53,9 +53,9 @@ TEST(DiskFigure, KeepsTheContoursThatMatterInItsFrame) {
 TEST(DiskFigure, DrawsTheLawAskedForSolidAndTheOtherDashed) {
   const std::string script =
       disk_script(turbulence_figure(DragLaw::weidenschilling, {}, au, 100 * au)).text();
-  EXPECT_THAT(script, HasSubstr("'40 cm/s, Weidenschilling''s drag'"));
-  EXPECT_THAT(script, HasSubstr("'dashed: published drag'"));
-  EXPECT_THAT(script, HasSubstr("'intermediate'"));
+  EXPECT_THAT(script, HasSubstr("\"40 cm/s, Weidenschilling\\047s drag\""));
+  EXPECT_THAT(script, HasSubstr("\"dashed: published drag\""));
+  EXPECT_THAT(script, HasSubstr("\"intermediate\""));
 }
 
 }  // namespace

@@ -130,8 +130,10 @@ std::vector<Hostile> hostile_texts() {
       same("_ ^ @ { } ~ & \\ a_b c^d e@f {g} {h ~i{.8-} j&{k} }{ \\_ \\{ \\\\"),
       same("v_{imp} x^{2} @GPVAL_PWD {/=40 big} {/Symbol a} {/:Bold b}"),
       same("back\\slash \\042 \\x22 \\U+0022 \\n and \\"),
-      same("% %d %s %% %n"),
-      same("</text><script>touch('PWNED')</script> &amp; <!-- --> ]]>"),
+      same("% %d %s %% %n $1 \"2 '3 `4 \\5"),
+      same("]> ] ]> \\U+0041 \\U+1F600"),
+      {"]]> ]]]>>", "]]\u200b> ]]]\u200b>>"},  // an XML file may not hold it
+      same("</text><script>touch('PWNED')</script> &amp; <!-- --> ]]"),
       same("θ = 45°, 日本語, 😀, e\u0301"),
       {std::string("a\0b", 3), "a\\x00b"},
       {"\x1b[2J\x7f\u009b\u202e", "\\x1b[2J\\x7f\\x9b\\u202e"},

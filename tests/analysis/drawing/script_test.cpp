@@ -58,7 +58,7 @@ TEST(Quoted, CountsTheLettersThatAreSeen) {
   EXPECT_EQ(in_quotes("θ = 45°").letters(), 7u);
   EXPECT_EQ(in_quotes("a_b{c}\\").letters(), 7u);
   EXPECT_EQ(marked_up("v_{{imp}}").letters(), 4u);
-  EXPECT_EQ(in_quotes("a\nb").letters(), 4u);  // as a\nb
+  EXPECT_EQ(in_quotes("a\nb").letters(), 4u);  // as "a\\nb"
   EXPECT_EQ(in_quotes(std::string(5000, 'x')).letters(), Quoted::most_letters + 1);
   EXPECT_TRUE(in_quotes("").empty());
 }

@@ -171,7 +171,7 @@ TEST(Chart, DrawsKnobsByNameAndTheDefaultAsAStar) {
   EXPECT_TRUE(figure.series[0].is_default);
   EXPECT_EQ(figure.series[1].points.size(), 2u);
   const std::string script = figures::accuracy_script(figure).text();
-  EXPECT_THAT(script, HasSubstr("title 'cfl'"));
+  EXPECT_THAT(script, HasSubstr("title \"cfl\""));
   EXPECT_THAT(script, HasSubstr("title 'frontier'"));
   EXPECT_THAT(script, Not(HasSubstr("some impacts only")));
 }
@@ -222,8 +222,8 @@ TEST(Chart, WritesTheNamesOfFidelitiesBesideTheirPoints) {
   EXPECT_EQ(figure.series[1].points[0].name, "survey");
   EXPECT_EQ(figure.series[1].points[1].name, "");
   const std::string script = figures::accuracy_script(figure).text();
-  EXPECT_THAT(script, HasSubstr(" sketch\n10 0.00"));
-  EXPECT_THAT(script, HasSubstr("$p3names using 1:2:3 with labels"));
+  EXPECT_THAT(script, HasSubstr("set label \"sketch\" at 1,"));
+  EXPECT_THAT(script, HasSubstr("set label \"survey\" at 10,"));
 }
 
 }  // namespace

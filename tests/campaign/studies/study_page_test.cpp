@@ -17,7 +17,7 @@ Study two_cases() {
                       {"schemes", {"dual", "closing-voids"}},
                       {"cases",
                        {{{"name", "A"},
-                         {"title", "A: v_{imp} = 20 cm/s"},
+                         {"title", "A: v_imp = 20 cm/s,\n# <b>{x}"},
                          {"scene", impact(20)},
                          {"published", {{"b_over_a", 0.24}, {"period_h", 9.36}}}},
                         {{"name", "B"}, {"scene", impact(22)}}}},
@@ -44,8 +44,10 @@ std::string page_of(const std::vector<StudyCell>& cells) {
 TEST(StudyPage, ShowsCasesThatHaveResultsWithFigureEnsemblesAndPublishedNumbers) {
   const std::string page =
       page_of({cell("dual", 1000, {0.30, 0.34}), cell("closing-voids", 1000, {0.22})});
-  EXPECT_THAT(page, HasSubstr("## A: v_imp = 20 cm/s\n\n![A](A.svg)\n\nPublished: b/a 0.24, "
-                              "period 9.36 h."));
+  EXPECT_THAT(
+      page,
+      HasSubstr("## A: v_imp = 20 cm/s,\\\\n# \\<b>{x}\n\n![A](A.svg)\n\nPublished: b/a 0.24, "
+                "period 9.36 h."));
   EXPECT_THAT(page, HasSubstr("| 1,000 | `dual` | 2 | 0.32 ± 0.03 | 0.95 ± 0.00 | 10.0 ± 0.0 | "
                               "0.00 | 0.00 | hit-and-run 2 | 7 |"));
   EXPECT_THAT(page, HasSubstr("| 1,000 | `closing-voids` | 1 | 0.22 | 0.95 | 10.0 |"));
