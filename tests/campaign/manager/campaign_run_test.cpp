@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 namespace eerie::manager {
 namespace {
 
@@ -10,7 +12,7 @@ struct Planned {
 };
 
 TEST(Affordable, SpendsNoMoreThanItsBudget) {
-  std::vector<Planned> runs(5);
+  std::vector<Planned> runs(5, Planned{parse_scene(nlohmann::json::object())});
   for (std::size_t k = 0; k < runs.size(); ++k)
     runs[k].scene.numerics.particles_per_target = 300 * (1 + static_cast<std::int64_t>(k));
   const double first_two = sweeps::expected_particle_steps(runs[0].scene) +
