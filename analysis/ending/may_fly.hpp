@@ -15,13 +15,15 @@ namespace eerie::ending {
 /// time in which matter is computed with its own moduli.
 bool impact_ahead(const remnants::Remnants& found, const Scene::Settled& settled);
 
-/// With numerics.rigid_flight: where remnants are at rest in themselves (`restlessness`) and
-/// `encounters` lie ahead, the state after as long a flight (flight.hpp) as brings it to the next
-/// thing to compute as matter: two bodies of at least 0.005 of the mass about to meet; half of
-/// end.settled.fall_back of the mass landed; nothing left to wait for; or `until`. Nothing where
-/// that is less than half a window ahead, or where by their orbits so many fragments fall back
-/// within that time. The state as it is where it is soft and an impact is
-/// ahead. `looks` and `found`: of the run so far, and of now.
+/// Flies the remnants as rigid bodies (flight.hpp; numerics.rigid_flight) until matter has to be
+/// computed again. The flight ends, at `until` (s) at the latest, when
+/// - two bodies of at least 0.005 of all mass are about to meet,
+/// - fragments of half of end.settled.fall_back of all mass have landed, or
+/// - nothing is left to wait for.
+/// Returns nothing where remnants still deform, where no encounter lies ahead, or where the flight
+/// would last less than half a window of end.settled. Returns the state as it is, to be given its
+/// own sound speed, where matter is soft and an impact is ahead. `looks` are those of the run so
+/// far; `found` are the remnants of `now`.
 std::optional<particles::Landing> flight_from(const io::Snapshot& now, double until,
                                               std::span<const RemnantLook> looks,
                                               const remnants::Remnants& found,
