@@ -18,12 +18,12 @@ struct RunRemnant {
   bool eer = false;
 };
 
-/// What a run is to be compared with others by: runs of different settings are never mixed.
+/// The settings of a run. Only runs of equal settings are compared.
 struct RunSettings {
   std::int64_t particles_per_target = 0;
   std::string name;      ///< fidelity, or the scheme where it has none
   std::string fidelity;  ///< empty: has none
-  std::int64_t id = 0;   ///< tells apart what has the same name; what the database calls it
+  std::int64_t id = 0;   ///< number of the settings in the database: two may share a name
   auto operator<=>(const RunSettings&) const = default;  // NOLINT(modernize-use-nullptr): no 0 here
 };
 
