@@ -23,13 +23,21 @@ struct Places {
   void pad() {
     while (x.size() % lanes<float> != 0) push({1e9, 1e9, 1e9});
   }
+  struct Offsets {
+    Pack<float> x, y, z;
+  };
+  /// The pack that begins at number `first`, relative to a place.
+  Offsets offsets(std::size_t first, float at_x, float at_y, float at_z) const {
+    Offsets d;
+    std::memcpy(&d.x, x.data() + first, sizeof d.x);
+    std::memcpy(&d.y, y.data() + first, sizeof d.y);
+    std::memcpy(&d.z, z.data() + first, sizeof d.z);
+    d.x -= at_x, d.y -= at_y, d.z -= at_z;
+    return d;
+  }
   /// Squared distances of the pack that begins at number `first` from a place.
   Pack<float> distance2(std::size_t first, float at_x, float at_y, float at_z) const {
-    Pack<float> dx, dy, dz;
-    std::memcpy(&dx, x.data() + first, sizeof dx);
-    std::memcpy(&dy, y.data() + first, sizeof dy);
-    std::memcpy(&dz, z.data() + first, sizeof dz);
-    dx -= at_x, dy -= at_y, dz -= at_z;
+    const auto [dx, dy, dz] = offsets(first, at_x, at_y, at_z);
     return dx * dx + dy * dy + dz * dz;
   }
 };

@@ -53,6 +53,10 @@ struct Material {
   bool stressed_surface(const Scene& scene) const {
     return initial_damage() < 1 || scene.material.drucker_prager.cohesion_Pa > 0;
   }
+  /// Whether gaps in it are empty: a gas fills them.
+  bool closes_gaps() const {
+    return std::visit([](const auto& e) { return e.is_cold; }, eos);
+  }
   /// Damage of a particle that has not fractured yet.
   double initial_damage() const {
     return std::visit([](const auto& r) { return r.is_damaged ? 1.0 : 0.0; }, rheology);

@@ -9,6 +9,7 @@ namespace {
 /// Largest Courant number at which a body of rubble stays at rest.
 double restful_cfl(const Scene::Numerics& n) {
   if (n.integrator == "leapfrog-pece") return 1.0;
+  if (n.integrator == "staggered") return 1.2;
   return n.viscosity_alpha < 0.5 || n.viscosity_particles > n.particles_per_target ? 0.4 : 0.55;
 }
 

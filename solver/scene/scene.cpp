@@ -80,6 +80,7 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/numerics/viscosity_beta", s.numerics.viscosity_beta);
   visit("/numerics/viscosity_particles", s.numerics.viscosity_particles);
   visit("/numerics/void_density", s.numerics.void_density);
+  visit("/numerics/voids", s.numerics.voids);
   visit("/numerics/cfl", s.numerics.cfl);
   visit("/numerics/opening_angle", s.numerics.opening_angle);
   visit("/numerics/gravity_tolerance", s.numerics.gravity_tolerance);
@@ -134,10 +135,11 @@ void require_consistent(const Scene& scene, const std::string& where) {
                     "often as the settled stop looks; set end.settled.window_s too, to 4000 for "
                     "instance",
                     where, scene.numerics.late_sound_speed));
-  if (scene.numerics.void_density > 0 && scene.numerics.smoothing != "constant")
+  if (scene.numerics.void_density > 0 && scene.numerics.voids == "all" &&
+      scene.numerics.smoothing != "constant")
     throw InputError(fmt::format(
         "{}.numerics.void_density = {:g}: voids are seen with one smoothing length for all; set it "
-        "to 0, or numerics.smoothing to \"constant\"",
+        "to 0, numerics.voids to \"gaps\" or numerics.smoothing to \"constant\"",
         where, scene.numerics.void_density));
   if (scene.numerics.late_sound_speed < 1 && m.energy != "none")
     throw InputError(fmt::format(
@@ -228,6 +230,8 @@ json to_json(const Scene& scene) {
                [&](const char*, const auto& member) { document[pointers[field++]] = member; });
   // Younger than the first results: where they are off, a scene is written as it was before.
   if (scene.numerics.void_density == 0) document["numerics"].erase("void_density");
+  if (scene.numerics.void_density == 0 || scene.numerics.voids == "all")
+    document["numerics"].erase("voids");
   if (!scene.numerics.rigid_flight) document["numerics"].erase("rigid_flight");
   return document;
 }

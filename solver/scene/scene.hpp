@@ -88,11 +88,12 @@ struct Scene {
     std::string smoothing;     ///< "constant" h or "evolving", h ~ rho^(-1/3)
     std::string gradient;      ///< "corrected-fully", "corrected", "corrected-rate" or "plain"
     double artificial_stress;  ///< of Gray, Monaghan & Swift (2001); 0: off
-    std::string integrator;    ///< "leapfrog" or "leapfrog-pece"
+    std::string integrator;    ///< "leapfrog", "leapfrog-pece" or "staggered"
     std::string viscosity;     ///< "monaghan" or "shear-free"
     double viscosity_alpha, viscosity_beta;
     std::int64_t viscosity_particles;  ///< per target, whose h viscosity has; 0: its own
     double void_density;   ///< of rho0: where particles lie less densely, nothing presses; 0: off
+    std::string voids;     ///< which of them: "all", or "gaps" between two surfaces alone
     double cfl;            ///< dt = cfl h / (c_l + h |div v|), c_l: longitudinal wave
     double opening_angle;  ///< Barnes-Hut: node size over distance
     double gravity_tolerance;       ///< relative error of gravity between its evaluations
@@ -130,7 +131,7 @@ struct Scene {
 Scene parse_scene(const nlohmann::json& json, const std::string& where = "scene");
 
 /// The scene with every field written out, in sorted order and with canonical numbers
-/// (30 and 30.0 are one); numerics.void_density and rigid_flight only where they are on.
+/// (30 and 30.0 are one); numerics.void_density, voids and rigid_flight only where they are on.
 /// parse_scene() of it gives the same scene.
 nlohmann::json to_json(const Scene& scene);
 

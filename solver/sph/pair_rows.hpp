@@ -48,6 +48,13 @@ enum class Terms {
   all,         ///< and heat, evolving smoothing lengths, artificial stress, pressure of viscosity
 };
 
+/// Which sums a visit of the neighbours makes.
+enum class Part {
+  all,       ///< in one visit
+  gradient,  ///< C and G: where particles are and go is all that it takes
+  force,     ///< the force and what belongs to viscosity
+};
+
 /// How the neighbourhood is sheared, for viscosity that leaves shear alone.
 template <class Real>
 struct alignas(8 * sizeof(Real)) ShearRow {
@@ -100,14 +107,20 @@ class PairRows {
 
   /// x in m, v and c in m/s, V in m^3, rows of T in Pa.
   void set(std::size_t i, const Vec3& x, const Vec3& v, double V, double c, const FluxRows& T) {
-    const Origin& o = origins_[i / tree::bucket_size];
-    const Vec3 d = (x - o.x) * per_h0_, u = v - o.v;
-    rows_.motion[i] = {real(d.x), real(d.y), real(d.z), real(V * per_h0_cubed_),
-                       real(u.x), real(u.y), real(u.z), real(c)};
+    set_motion(i, x, v, V, c);
+    const Vec3 d = (x - origins_[i / tree::bucket_size].x) * per_h0_;
     for (int a = 0; a < 3; ++a) {
       rows_.stress[i].q[a] = __builtin_convertvector(T[static_cast<std::size_t>(a)], Quad<Real>);
       rows_.stress[i].q[a][3] = real(d[a]);
     }
+  }
+
+  /// What Part::gradient needs of it.
+  void set_motion(std::size_t i, const Vec3& x, const Vec3& v, double V, double c = 0) {
+    const Origin& o = origins_[i / tree::bucket_size];
+    const Vec3 d = (x - o.x) * per_h0_, u = v - o.v;
+    rows_.motion[i] = {real(d.x), real(d.y), real(d.z), real(V * per_h0_cubed_),
+                       real(u.x), real(u.y), real(u.z), real(c)};
   }
 
   /// e: traceless strain rate, 1/s.
@@ -125,7 +138,9 @@ class PairRows {
                       real(ratio2 * ratio2 * ratio)};
   }
 
-  /// Copies the rows of `list` relative to the origin of `bucket`, with the dummy row last.
+  /// Copies the rows of `list` relative to the origin of `bucket`, with the dummy row last; of
+  /// those that `part` does not need nothing is said.
+  template <Part part = Part::all>
   void gather(std::size_t bucket, const tree::NeighbourList& lists,
               Rows<Real, terms>& local) const {
     const tree::BucketList& list = lists[bucket];
@@ -140,7 +155,9 @@ class PairRows {
         from = j / tree::bucket_size;
         shift = Shift((origins_[from].x - home.x) * per_h0_, origins_[from].v - home.v);
       }
-      local.motion[k] = shift(rows_.motion[j]), local.stress[k] = shift(rows_.stress[j]);
+      local.motion[k] = shift(rows_.motion[j]);
+      if constexpr (part == Part::gradient) continue;
+      local.stress[k] = shift(rows_.stress[j]);
       if constexpr (sheared) local.shear[k] = rows_.shear[j];
       if constexpr (extended) local.extra[k] = rows_.extra[j];
     }

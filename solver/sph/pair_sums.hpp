@@ -18,7 +18,9 @@ struct NeighbourSumsOf {
   Mat3Of<T> G;       ///< -sum V_j v_ij (x) grad_i W: the uncorrected velocity gradient, 1/s
   /// sum V_j (T_i + T_j - q_ij 1) . grad_i W: rho_i dv_i/dt, Pa/m
   std::conditional_t<std::is_same_v<T, double>, Vec3, std::array<T, 3>> force{};
-  T heat{};              ///< 1/2 sum V_j q_ij v_ij . grad_i W: rho_i du_i/dt of viscosity, W/m^3
+  T heat{};  ///< 1/2 sum V_j q_ij v_ij . grad_i W: rho_i du_i/dt of viscosity, W/m^3
+  /// The part of the force of viscosity and artificial stress, Pa/m; with Terms::all alone.
+  std::array<T, 3> brake{};
   T viscous_pressure{};  ///< -1/6 sum V_j q_ij x_ij . grad_i W: what viscosity carries, Pa
 };
 using NeighbourSums = NeighbourSumsOf<double>;
@@ -73,20 +75,21 @@ class PairSums {
         extra_(extra),
         inverse_w_spacing_(extra.spacing > 0 ? 1 / Kernel::w(extra.spacing / h) : 0) {}
 
-  template <class Finish>
+  template <Part asked = Part::all, class Finish>
   void sweep(const tree::NeighbourList& lists, std::size_t particles, Finish&& finish) const {
+    constexpr Part part = extended ? Part::all : asked;  // rare terms have one loop for all
 #pragma omp parallel
     {
       Desk desk;
 #pragma omp for schedule(dynamic, 2)
       for (std::size_t b = 0; b < lists.buckets(); ++b) {
-        rows.gather(b, lists, desk.local);
+        rows.template gather<part>(b, lists, desk.local);
         const std::size_t first = b * tree::bucket_size,
                           n = std::min(tree::bucket_size, particles - first);
-        for (std::size_t k = 0; k < n; ++k) sum(k, lists[b], desk);
+        for (std::size_t k = 0; k < n; ++k) sum<part>(k, lists[b], desk);
         for (std::size_t k = 0; k < n; k += lanes<Real>) {
           std::size_t at = k;
-          for (const PackedSums& sums : scaled(desk, k)) {
+          for (const PackedSums& sums : scaled<part>(desk, k)) {
             if (at < n) finish(first + at, std::min<std::size_t>(n - at, lanes<double>), sums);
             at += lanes<double>;
           }
@@ -130,6 +133,7 @@ class PairSums {
   };
 
   /// One particle: entries of its list are places of rows of eight.
+  template <Part part>
   void sum(std::size_t k, const tree::BucketList& list, Desk& desk) const {
     const std::uint16_t* places = list.index.data() + list.begin[k];
     const std::size_t packs = (list.begin[k + 1] - list.begin[k]) / lanes<Real>;
@@ -137,13 +141,18 @@ class PairSums {
       desk.pairs.resize(2 * packs), desk.weights.resize(2 * packs);
       if constexpr (extended) desk.extra.resize(2 * packs);
     }
-    for (std::size_t p = 0; p < packs; ++p) separate(k, places + p * lanes<Real>, desk, p);
-    for (std::size_t p = 0; p < packs; ++p) weigh(k, desk, p);
-    add_gradients(k, desk, packs);
-    add_fluxes(places, desk, packs, desk.raw[k].s + Raw::flux);
+    for (std::size_t p = 0; p < packs; ++p) separate<part>(k, places + p * lanes<Real>, desk, p);
+    for (std::size_t p = 0; p < packs; ++p) weigh<part>(k, desk, p);
+    if constexpr (part == Part::force)
+      for (std::size_t p = 0; p < packs; ++p) store_weights(desk, p);
+    else
+      add_gradients<part>(k, desk, packs);
+    if constexpr (part != Part::gradient)
+      add_fluxes(places, desk, packs, desk.raw[k].s + Raw::flux);
   }
 
   /// Differences of position and velocity.
+  template <Part part>
   void separate(std::size_t k, const std::uint16_t* places, Desk& desk, std::size_t p) const {
     const MotionRow<Real>& me = desk.local.motion[k];
     const auto [row] = load_columns(&desk.local.motion[0].x, places);
@@ -152,12 +161,14 @@ class PairSums {
     Pairs& pairs = desk.pairs[p];
     pairs.dx = dx, pairs.dy = dy, pairs.dz = dz, pairs.ux = ux, pairs.uy = uy, pairs.uz = uz;
     pairs.r2 = dx * dx + (dy * dy + (dz * dz + real(1e-12)));  // 1/r stays finite at r = 0
+    pairs.V = row[3];
+    if constexpr (part == Part::gradient) return;
     const P closing = -(ux * dx + uy * dy + uz * dz);
     pairs.approach = positive_part(closing);
     if constexpr (sheared)
       if (!extended || extra_.shear_free)
         pairs.approach = without_shear(pairs, closing, desk.local.shear, k, places);
-    pairs.V = row[3], pairs.c_sum = me.c + row[7];
+    pairs.c_sum = me.c + row[7];
     if constexpr (extended) {
       desk.extra[p].row = load_columns(desk.local.extra[0].R, places);
       desk.extra[p].closing = closing;
@@ -180,6 +191,7 @@ class PairSums {
   }
 
   /// Kernel gradient and viscosity.
+  template <Part part>
   void weigh(std::size_t k, Desk& desk, std::size_t p) const {
     Pairs& pairs = desk.pairs[p];
     const P r2 = pairs.r2, inverse_r = inverse_sqrt(r2), r = r2 * inverse_r;
@@ -196,6 +208,7 @@ class PairSums {
     }
     if (!evolving) slope = Kernel::dw_over_q(r, inverse_r);
     pairs.w = pairs.V * slope;
+    if constexpr (part == Part::gradient) return;
 
     // Monaghan (1992) viscosity as a pair pressure q = rho_h (-alpha c mu + beta mu^2), with
     // rho_h = 2m/(V_i + V_j) the harmonic mean density; only approaching pairs feel it.
@@ -215,7 +228,14 @@ class PairSums {
     return Kernel::dw_over_q(P(r * inverse_h), P(inverse_r * inverse(inverse_h)));
   }
 
+  static void store_weights(Desk& desk, std::size_t p) {
+    const Pairs& pairs = desk.pairs[p];
+    store_quads<Real>(P(pairs.w * pairs.dx), P(pairs.w * pairs.dy), P(pairs.w * pairs.dz),
+                      pairs.thrust, weights(desk, p));
+  }
+
   /// Sums over C and G, and the weights of the fluxes.
+  template <Part part>
   void add_gradients(std::size_t k, Desk& desk, std::size_t packs) const {
     P cxx{}, cyy{}, czz{}, cxy{}, cxz{}, cyz{}, heat{};
     P gxx{}, gxy{}, gxz{}, gyx{}, gyy{}, gyz{}, gzx{}, gzy{}, gzz{};
@@ -225,7 +245,8 @@ class PairSums {
       const P dx = pairs.dx, dy = pairs.dy, dz = pairs.dz;
       const P ux = pairs.ux, uy = pairs.uy, uz = pairs.uz;
       const P wx = pairs.w * dx, wy = pairs.w * dy, wz = pairs.w * dz;
-      store_quads<Real>(wx, wy, wz, pairs.thrust, weights(desk, p));
+      if constexpr (part != Part::gradient)
+        store_quads<Real>(wx, wy, wz, pairs.thrust, weights(desk, p));
       cxx -= wx * dx, cyy -= wy * dy, czz -= wz * dz;
       cxy -= wx * dy, cxz -= wx * dz, cyz -= wy * dz;
       gxx -= ux * wx, gxy -= ux * wy, gxz -= ux * wz;
@@ -268,26 +289,27 @@ class PairSums {
   }
 
   /// Sums of lanes<Real> particles from the k-th on with their normalisation, in SI.
+  template <Part part>
   std::array<PackedSums, parts<Real>> scaled(const Desk& desk, std::size_t k) const {
     P raw[Raw::count], own[16];
-    for (std::size_t b = 0; b < Raw::count / 8; ++b) {
-      const auto eight = load_columns(desk.raw[k].s + 8 * b, rising<Real, Raw::count>.data());
-      std::copy(eight.c, eight.c + 8, raw + 8 * b);
+    constexpr std::size_t begin = part == Part::force ? Raw::flux : 0,
+                          end = part == Part::gradient ? Raw::flux : Raw::count;
+    for (std::size_t at = begin; at < end; at += 8) {
+      const auto eight = load_columns(desk.raw[k].s + at, rising<Real, Raw::count>.data());
+      std::copy(eight.c, eight.c + 8, raw + at);
     }
+    std::array<PackedSums, parts<Real>> out;
+    if constexpr (part != Part::force) take_gradients(raw, out);
+    if constexpr (part == Part::gradient) return out;
     for (std::size_t b = 0; b < 2; ++b) {
       const auto eight =
           load_columns(first(desk.local.stress[k].q[2 * b]), rising<Real, 16>.data());
       std::copy(eight.c, eight.c + 8, own + 8 * b);
     }
     const P *flux = raw + Raw::flux, *gradient = flux + 12;
-    std::array<PackedSums, parts<Real>> out;
     const double one = Kernel::normalisation, per_h = one / h_;
     for (std::size_t p = 0; p < parts<Real>; ++p) {
       const auto get = [&](P x, double factor) { return factor * widened<Real>(x, p); };
-      const P* C = raw + Raw::C;
-      out[p].C = {get(C[0], one), get(C[1], one), get(C[2], one),
-                  get(C[3], one), get(C[4], one), get(C[5], one)};
-      for (int i = 0; i < 9; ++i) out[p].G[i / 3][i % 3] = get(raw[Raw::G + i], per_h);
       for (int a = 0; a < 3; ++a) {
         const P *theirs = flux + 4 * a, *mine = own + 4 * a;
         // sum (T_i + T_j) . grad W, and x_j sum_thrust - x_i sum_thrust.
@@ -295,7 +317,11 @@ class PairSums {
                        mine[1] * gradient[1] + mine[2] * gradient[2];
         const P push = theirs[3] - mine[3] * gradient[3];
         P force = pull + real(2 * scaled_mass_) * push;
-        if constexpr (extended) force += raw[Raw::repulsion + a];
+        if constexpr (extended) {
+          force += raw[Raw::repulsion + a];
+          out[p].brake[static_cast<std::size_t>(a)] =
+              get(P(real(2 * scaled_mass_) * push + raw[Raw::repulsion + a]), per_h);
+        }
         out[p].force[static_cast<std::size_t>(a)] = get(force, per_h);
       }
       if constexpr (extended) {
@@ -304,6 +330,17 @@ class PairSums {
       }
     }
     return out;
+  }
+
+  void take_gradients(const P* raw, std::array<PackedSums, parts<Real>>& out) const {
+    const double one = Kernel::normalisation, per_h = one / h_;
+    for (std::size_t p = 0; p < parts<Real>; ++p) {
+      const auto get = [&](P x, double factor) { return factor * widened<Real>(x, p); };
+      const P* C = raw + Raw::C;
+      out[p].C = {get(C[0], one), get(C[1], one), get(C[2], one),
+                  get(C[3], one), get(C[4], one), get(C[5], one)};
+      for (int i = 0; i < 9; ++i) out[p].G[i / 3][i % 3] = get(raw[Raw::G + i], per_h);
+    }
   }
 
   double h_, scaled_mass_;

@@ -11,7 +11,7 @@
 namespace eerie::step {
 
 void Solver::evaluate(double ahead) {
-  predict_material(ahead);
+  apply_material({ahead, ahead});
   sum_over_neighbours(ahead);
 }
 
@@ -24,18 +24,21 @@ material::Condition Solver::condition(std::size_t i, double ahead) const {
 }
 
 /// Pressure, sound speed and yielded stress of the predicted state; the rows for pair sums.
-void Solver::predict_material(double ahead) {
+void Solver::apply_material(Ahead ahead) {
   const StageTimer timer(stages_, Stage::material);
   std::size_t too_thin = nobody, too_cold = nobody;
 #pragma omp parallel for schedule(static) reduction(min : too_thin, too_cold)
   for (std::size_t b = 0; b < tree::bucket_count(state_.size()); ++b) {
     std::array<Predicted, tree::bucket_size> bucket;
-    apply_laws(b, ahead, bucket);
+    apply_laws(b, ahead.stress, bucket);
     fill_rows(b, ahead, bucket);
     const std::size_t first = b * tree::bucket_size;
     for (std::size_t i = first; i < std::min(first + tree::bucket_size, state_.size()); ++i) {
       if (!(bucket[i - first].rho > 0)) too_thin = std::min(too_thin, i);
       if (!(bucket[i - first].c >= 0)) too_cold = std::min(too_cold, i);
+      if (!ahead.is_final) continue;
+      state_.S[i] = predicted_stress(i, 0);
+      yield_factor_[i] = 1;
     }
   }
   check(too_thin, "negative-density", "lower numerics.cfl");
@@ -67,6 +70,7 @@ void Solver::apply_laws(std::size_t b, double ahead,
 
 /// The yielded stress of the predicted state, for as long as its rates are still the old ones.
 SymTensor Solver::predicted_stress(std::size_t i, double ahead) const {
+  if (ahead == 0) return double{yield_factor_[i]} * state_.S[i];
   return double{yield_factor_[i]} * (state_.S[i] + ahead * rates_.dS_dt[i]);
 }
 
@@ -93,7 +97,7 @@ sph::FluxRows Solver::momentum_flux(std::size_t i, double ahead) const {
           S.xz * x + S.yz * y + S.zz * z - pressure[2]};
 }
 
-void Solver::fill_rows(std::size_t b, double ahead,
+void Solver::fill_rows(std::size_t b, Ahead ahead,
                        const std::array<Predicted, tree::bucket_size>& bucket) {
   const std::size_t first = b * tree::bucket_size,
                     last = std::min(first + tree::bucket_size, state_.size());
@@ -102,14 +106,14 @@ void Solver::fill_rows(std::size_t b, double ahead,
     sums.rows.set_origin(b, state_.x[first], state_.v[first]);
     for (std::size_t i = first; i < last; ++i) {
       const auto [rho, c] = bucket[i - first];
-      const Vec3 v = state_.v[i] + ahead * (rates_.dv_dt[i] + gravity(i, age));
+      const Vec3 v = state_.v[i] + ahead.velocity * (rates_.dv_dt[i] + gravity(i, age));
       sums.rows.set(i, state_.x[i], v, state_.mass / filling_density(rho), c,
-                    momentum_flux(i, ahead));
+                    momentum_flux(i, ahead.stress));
       using Family = std::remove_cvref_t<decltype(sums)>;
       if constexpr (Family::sheared)
         if (fields_.shear) sums.rows.set_shear(i, rates_.shear_rate[i]);
       if constexpr (Family::extended)
-        sums.rows.set_extra(i, artificial_stress(i, ahead), smoothing_length(rho));
+        sums.rows.set_extra(i, artificial_stress(i, ahead.stress), smoothing_length(rho));
     }
   });
 }
@@ -147,6 +151,24 @@ void Solver::set_heating(std::size_t i, double ahead, const sph::NeighbourSums& 
   rates_.du_dt[i] = (strain_power + s.heat) / rho;
 }
 
+/// The first of `count` particles from i on whose neighbourhood has collapsed, or nobody.
+std::size_t Solver::first_collapsed(std::size_t i, std::size_t count, const sph::PackedSums& s,
+                                    const Pack<double>& rho) const {
+  const Pack<double> determinants = determinant(s.C);
+  for (std::size_t l = 0; l < count; ++l)
+    if (!(determinants[l] > sph::smallest_correctable_determinant) &&
+        sph::is_collapsed(sph::lane(s, l).C, rho[l] / material_.reference_density) &&
+        lists_.is_bulk(i + l) && !is_at_wall(i + l))
+      return i + l;
+  return nobody;
+}
+
+void Solver::check_collapse(std::size_t singular) const {
+  check(singular, "singular-matrix",
+        "its neighbours have collapsed onto a plane or a line; lower numerics.cfl or raise "
+        "numerics.viscosity_alpha");
+}
+
 /// Rates of `count` particles from i on; several at once, as everything here is arithmetic.
 /// Returns the first whose neighbourhood has collapsed, or nobody.
 std::size_t Solver::set_rates(std::size_t i, std::size_t count, double ahead,
@@ -161,12 +183,7 @@ std::size_t Solver::set_rates(std::size_t i, std::size_t count, double ahead,
   std::size_t collapsed = nobody;
   if (gradient_ != Gradient::plain) {
     L = sph::correction_matrix(s.C);
-    const P determinants = determinant(s.C);
-    for (std::size_t l = count; l-- > 0;)
-      if (!(determinants[l] > sph::smallest_correctable_determinant) &&
-          sph::is_collapsed(sph::lane(s, l).C, rho[l] / material_.reference_density) &&
-          lists_.is_bulk(i + l) && !is_at_wall(i + l))
-        collapsed = i + l;
+    collapsed = first_collapsed(i, count, s, rho);
   }
   const P thin = splat(thinnest_), per_rho = 1 / (rho < thin ? thin : rho);
   scatter_tensors(count, L, &rates_.correction[i]);
@@ -205,9 +222,7 @@ void Solver::sum_over_neighbours(double ahead) {
       }
     });
   });
-  check(singular, "singular-matrix",
-        "its neighbours have collapsed onto a plane or a line; lower numerics.cfl or raise "
-        "numerics.viscosity_alpha");
+  check_collapse(singular);
 }
 
 /// Cracks grow while the stress at the end of the step pulls.

@@ -86,6 +86,9 @@ Solver::Solver(const Scene& scene, particles::State state, particles::Rates rate
       stressed_surface_(material_.stressed_surface(scene)),
       walls_(mirrors(scene.environment)),
       evolving_h_(scene.numerics.smoothing == "evolving"),
+      sees_voids_(
+          scene.numerics.void_density > 0 &&
+          (scene.numerics.voids == "all" || (material_.closes_gaps() && !stressed_surface_))),
       sums_(make_sums()),
       integrator_(
           make_by_token<Integrator>("scene.numerics.integrator", scene.numerics.integrator)),
@@ -224,15 +227,15 @@ double Solver::smoothing_length(double rho) const {
 
 double Solver::largest_support() const {
   if (!evolving_h_) return 2 * state_.h;
-  return 2 * smoothing_length(*std::min_element(state_.rho.begin(), state_.rho.end()));
+  const double widest = smoothing_length(*std::ranges::min_element(state_.rho));
+  return 2 * (sees_voids_ ? std::max(state_.h, widest) : widest);
 }
 
 void Solver::reorder() {
   const std::vector<std::uint32_t> order = tree::kd_order(state_.x, state_.id);
-  particles::visit_state(state_,
-                         [&](const char*, auto& array) { particles::permute(array, order); });
-  particles::visit_rates(rates_,
-                         [&](const char*, auto& array) { particles::permute(array, order); });
+  visit_state(state_, [&](const char*, auto& array) { particles::permute(array, order); });
+  visit_rates(rates_, [&](const char*, auto& array) { particles::permute(array, order); });
+  particles::permute(pressure_, order);
   if (!has_room_.empty()) particles::permute(has_room_, order);
 }
 

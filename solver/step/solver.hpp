@@ -60,6 +60,11 @@ class Solver {
   void kick_and_drift(double kick, double drift);
   void evaluate(double ahead);
   void kick(double duration);
+  // Those of a staggered one (staggered.cpp).
+  void push_and_drift(double push, double drift);
+  void deform(double duration);
+  void exert(double ahead);
+  void push(double duration);
 
  private:
   static constexpr std::size_t nobody = static_cast<std::size_t>(-1);
@@ -80,6 +85,19 @@ class Solver {
   struct Predicted {
     double rho, c;
   };
+  /// How far ahead of the state the rows of pair sums are, s, and whether the state itself takes
+  /// the yielded stress.
+  struct Ahead {
+    double velocity, stress;
+    bool is_final = false;
+  };
+  /// How a particle was strained in a step, and what it has come to.
+  struct Strained {
+    Mat3 G;               ///< uncorrected velocity gradient in the middle, 1/s
+    SymTensorf L_before;  ///< of the forces at its beginning
+    SymTensor trial;      ///< stress, Pa
+    double rho_after;     ///< kg/m^3
+  };
   enum class Gradient { corrected_fully, corrected, corrected_rate, plain };
 
   void step();
@@ -90,15 +108,25 @@ class Solver {
   void find_voids();
   void close_voids();
   bool is_void(std::size_t i) const { return !has_room_.empty() && has_room_[i]; }
-  void predict_material(double ahead);
+  void apply_material(Ahead ahead);
   void apply_laws(std::size_t bucket, double ahead, std::array<Predicted, tree::bucket_size>& out);
-  void fill_rows(std::size_t bucket, double ahead,
+  void fill_rows(std::size_t bucket, Ahead ahead,
                  const std::array<Predicted, tree::bucket_size>& predicted);
   void sum_over_neighbours(double ahead);
   std::size_t set_rates(std::size_t i, std::size_t count, double ahead,
                         const sph::PackedSums& sums);
   bool is_at_wall(std::size_t i) const;
   void set_heating(std::size_t i, double ahead, const sph::NeighbourSums& sums);
+  std::size_t first_collapsed(std::size_t i, std::size_t count, const sph::PackedSums& sums,
+                              const Pack<double>& rho) const;
+  void check_collapse(std::size_t singular) const;
+  void set_middle_rows(double duration);
+  std::size_t go_on(std::size_t i, std::size_t count, double duration, const sph::PackedSums& sums);
+  void heat_by_viscosity(double duration);
+  void heat_by_strain(std::size_t i, double duration, const Strained& now);
+  void heat_by_brake(std::size_t i, const Vec3& change, const sph::PackedSums& sums,
+                     std::size_t lane);
+  void set_forces(std::size_t i, std::size_t count, const sph::PackedSums& sums);
   void grow_damage(double duration);
   void evaluate_gravity(double elapsed, double planned);
 
@@ -140,6 +168,7 @@ class Solver {
   material::Flaws flaws_;
   std::vector<tree::Mirror> walls_;
   bool evolving_h_;
+  bool sees_voids_;
   Sums sums_;
   Integrator integrator_;
   tree::Gravity gravity_;

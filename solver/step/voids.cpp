@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "solver/base/places.hpp"
+#include "solver/sph/flat_surface.hpp"
 #include "solver/sph/kernel.hpp"
 #include "solver/step/solver.hpp"
 
@@ -10,34 +11,79 @@ namespace eerie::step {
 
 namespace {
 
-/// sum_j m W_ij over all that is around a bucket, for particle k of it: its density by arrangement,
-/// kg/m^3. `around` in units of h.
+/// Cosine of the angle to the outward normal within which nothing lies beyond a free surface.
+constexpr double cos_of_sight = 0.7071;
+/// What a ball of four smoothing lengths, 500 particles, has less than a flat surface of the same
+/// first moment: s^2/2R of the layer above, 0.04 of the reference density.
+constexpr double convexity = 0.95;
+
+/// How particle k of a bucket is surrounded. Places are in units of h.
 template <class Kernel>
-double arranged_density(const particles::State& s, const Places& around, std::size_t k) {
-  Pack<float> sum{};
-  for (std::size_t first = 0; first < around.x.size(); first += lanes<float>) {
-    const Pack<float> r2 =
-        around.distance2(first, around.x[k], around.y[k], around.z[k]) + 1e-12f;  // 1/r is finite
-    sum += Kernel::w(Pack<float>(r2 * inverse_sqrt(r2)));
+struct Surroundings {
+  const Places& around;
+  std::size_t k;
+  double per_volume;  ///< m/h^3 and the kernel's normalisation, kg/m^3
+
+  struct Moments {
+    double density;  ///< sum_j m W_ij, kg/m^3
+    Vec3 outward;    ///< sum_j m W_ij x_ij/h, kg/m^3
+  };
+  Moments moments() const {
+    Pack<float> sum{}, mx{}, my{}, mz{};
+    for (std::size_t first = 0; first < around.x.size(); first += lanes<float>) {
+      const auto [dx, dy, dz] = around.offsets(first, around.x[k], around.y[k], around.z[k]);
+      const Pack<float> r2 = dx * dx + dy * dy + dz * dz + 1e-12f;  // 1/r is finite
+      const Pack<float> w = Kernel::w(Pack<float>(r2 * inverse_sqrt(r2)));
+      sum += w;
+      mx -= w * dx, my -= w * dy, mz -= w * dz;
+    }
+    return {per_volume * total(sum), per_volume * Vec3{total(mx), total(my), total(mz)}};
   }
-  double w = 0;
-  for (int l = 0; l < lanes<float>; ++l) w += double{sum[l]};
-  return s.mass * Kernel::normalisation / cubed(s.h) * w;
-}
+  /// Whether something in reach of the kernel lies towards `normal`, a unit vector.
+  bool faces_something(const Vec3& normal) const {
+    const auto nx = static_cast<float>(normal.x), ny = static_cast<float>(normal.y),
+               nz = static_cast<float>(normal.z);
+    const float cos2 = static_cast<float>(cos_of_sight * cos_of_sight);
+    for (std::size_t first = 0; first < around.x.size(); first += lanes<float>) {
+      const auto [dx, dy, dz] = around.offsets(first, around.x[k], around.y[k], around.z[k]);
+      const Pack<float> r2 = dx * dx + dy * dy + dz * dz, ahead = nx * dx + ny * dy + nz * dz;
+      for (int l = 0; l < lanes<float>; ++l)
+        if (ahead[l] > 0 && r2[l] < 4 && ahead[l] * ahead[l] > cos2 * r2[l]) return true;
+    }
+    return false;
+  }
+  static double total(const Pack<float>& pack) {
+    double sum = 0;
+    for (int l = 0; l < lanes<float>; ++l) sum += double{pack[l]};
+    return sum;
+  }
+};
 
 }  // namespace
 
 /// The continuity equation compresses particles of two surfaces as soon as their kernels overlap,
 /// which holds the surfaces 1.7 spacings apart: bodies act as if they were larger, and rubble that
-/// was sheared keeps gaps. So nothing presses where the arrangement, counted, has room for more.
-/// Looked at once in a cycle: arrangements hardly change in one.
+/// was sheared keeps gaps. So nothing presses where the arrangement, counted, has room for more;
+/// with numerics.voids "gaps" only where that is between two surfaces: one that is as dense as a
+/// flat one and beyond which nothing lies keeps its pressure. Looked at once in a cycle:
+/// arrangements hardly change in one.
 void Solver::find_voids() {
-  const double full = scene_.numerics.void_density * material_.reference_density;
-  if (full == 0) return;
+  if (!sees_voids_) return;
   const StageTimer timer(stages_, Stage::material);
+  const double rho0 = material_.reference_density, part = scene_.numerics.void_density;
+  const bool gaps_only = scene_.numerics.voids == "gaps";
   has_room_.resize(state_.size());
   std::visit(
       [&](auto kernel) {
+        using Kernel = decltype(kernel);
+        const auto has_room = [&](const Surroundings<Kernel>& seen) {
+          const auto [density, outward] = seen.moments();
+          if (density >= part * rho0) return false;
+          if (!gaps_only) return true;
+          const double m = norm(outward);
+          const bool fits = density >= convexity * part * rho0 * flat_density<Kernel>(m / rho0);
+          return !fits || m == 0 || seen.faces_something(outward / m);
+        };
 #pragma omp parallel
         {
           Places around;
@@ -49,8 +95,9 @@ void Solver::find_voids() {
               around.push((there - state_.x[begin]) / state_.h);
             });
             around.pad();
+            const double per_volume = state_.mass * Kernel::normalisation / cubed(state_.h);
             for (std::size_t k = 0; k < tree::bucket_size && begin + k < state_.size(); ++k)
-              has_room_[begin + k] = arranged_density<decltype(kernel)>(state_, around, k) < full;
+              has_room_[begin + k] = has_room({around, k, per_volume});
           }
         }
       },

@@ -3,9 +3,9 @@
 
 #include <cstdlib>
 
+#include "campaign/job_folder/worker_exit.hpp"
 #include "campaign/job_folder/worker_lock.hpp"
 #include "campaign/slurm/batch.hpp"
-#include "campaign/job_folder/worker_exit.hpp"
 #include "tests/e2e/impacts.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 #include "tests/support/paths.hpp"

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/job_folder/result_file.hpp"
-#include "campaign/slurm/slurm_scheduler.hpp"
 #include "campaign/job_folder/worker_exit.hpp"
+#include "campaign/slurm/slurm_scheduler.hpp"
 #include "solver/base/file.hpp"
 #include "tests/e2e/impacts.hpp"
 #include "tests/e2e/real_slurm.hpp"

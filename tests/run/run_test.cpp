@@ -79,6 +79,10 @@ TEST(Run, EveryOptionalLawKeepsItsBitsOverInterruptionsAndThreads) {
       {{"numerics", {{"scheme", "shear-free"}}},
        {"environment", {{"walls", {{{"face", "z_low"}, {"at_m", -60}, {"kind", "rough"}}}}}}},
       {{"numerics", {{"scheme", "closing-voids"}}}},
+      {{"numerics", {{"scheme", "closing-gaps"}}}},
+      {{"material", {{"energy", "integrated"}}},
+       {"numerics",
+        {{"scheme", "closing-gaps"}, {"smoothing", "evolving"}, {"viscosity", "shear-free"}}}},
       {{"numerics", {{"scheme", "viscosity-50000"}}},
        {"material", {{"drucker_prager", {{"pressure", "total"}}}}}}};
   for (nlohmann::json changes : laws) {

@@ -27,7 +27,8 @@ struct Told {
   std::vector<std::string> notes;
   std::vector<double> history;
 };
-inline Told run_in(const TemporaryFolder& folder, const Scene& scene, run::RunOptions options = {}) {
+inline Told run_in(const TemporaryFolder& folder, const Scene& scene,
+                   run::RunOptions options = {}) {
   Told told;
   options.directory = folder.path();
   options.on_note = [&](const std::string& text) { told.notes.push_back(text); };

@@ -33,6 +33,7 @@ TEST(Guards, EachLineIsNamedWithFieldValueAndMend) {
       {{{"numerics", {{"cfl", 0.7}}}}, "scene.numerics.cfl = 0.7", "use 0.5"},
       {{{"numerics", {{"cfl", 0.5}, {"viscosity_alpha", 0.3}}}}, "scene.numerics.cfl = 0.5", "0.4"},
       {{{"numerics", {{"cfl", 1.1}, {"integrator", "leapfrog-pece"}}}}, "cfl = 1.1", "0.5"},
+      {{{"numerics", {{"cfl", 1.3}, {"integrator", "staggered"}}}}, "cfl = 1.3", "0.5"},
       {{{"numerics", {{"gravity_tolerance", 0.01}}}}, "gravity_tolerance = 0.01", "use 1e-4"},
       {{{"numerics", {{"opening_angle", 0.8}}}}, "opening_angle = 0.8", "use 0.35"},
       {{{"numerics", {{"h_over_spacing", 1.6}}}}, "h_over_spacing = 1.6", "Wendland"},

@@ -30,7 +30,11 @@ TEST(Diagnosis, OfARestingBodyIsItsPressureAndItsDensity) {
 TEST(Diagnosis, SeesThatMonaghansViscosityPressesInShearAndTheShearFreeOneDoesNot) {
   // Uniform shear of 1e-3/s: no compression, and no pressure that the equations know of.
   const auto shear = [](const Vec3& x) { return Vec3{1e-3 * x.y, 0, 0}; };
-  const nlohmann::json size = {{"numerics", {{"particles_per_target", 1000}}}};
+  const nlohmann::json size = {{"numerics",
+                                {{"particles_per_target", 1000},
+                                 {"viscosity_particles", 0},
+                                 {"viscosity_alpha", 1},
+                                 {"viscosity_beta", 2}}}};
   nlohmann::json other = size;
   other["numerics"]["scheme"] = "shear-free";
   const double monaghan = diagnose(body(test::small_scene(size), shear)).viscous_pressure;

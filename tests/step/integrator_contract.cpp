@@ -9,7 +9,8 @@ namespace eerie::step {
 namespace {
 
 /// A damped anharmonic oscillator with a force that depends on position, speed and an internal
-/// stress, like that of a particle: x' = v, v' = -x - 0.3 x^3 + s - 0.1 v, s' = -v - 0.5 s.
+/// stress, like that of a particle, whose rate of strain depends on where it is:
+/// x' = v, v' = -x - 0.3 x^3 + s - 0.1 v, s' = -(1 + 0.2 x) v - 0.5 s.
 struct Oscillator {
   double x = 1, v = 0, s = 0;
   double dv_dt = 0, ds_dt = 0;
@@ -24,7 +25,21 @@ struct Oscillator {
   void evaluate(double ahead) {
     const double w = v + ahead * dv_dt, t = s + ahead * ds_dt;
     dv_dt = -x - 0.3 * x * x * x + t - 0.1 * w;
-    ds_dt = -w - 0.5 * t;
+    ds_dt = -(1 + 0.2 * x) * w - 0.5 * t;
+    ++evaluations;
+  }
+  void push(double duration) { v += duration * dv_dt; }
+  void push_and_drift(double duration, double drift) {
+    push(duration);
+    x += drift * v;
+  }
+  void deform(double duration) {
+    const double middle = x - duration / 2 * v, strain = -(1 + 0.2 * middle) * v;
+    const double half = s + duration / 2 * (strain - 0.5 * s);
+    s += duration * (strain - 0.5 * half);
+  }
+  void exert(double ahead) {
+    dv_dt = -x - 0.3 * x * x * x + s - 0.1 * (v + ahead * dv_dt);
     ++evaluations;
   }
 };
@@ -42,7 +57,8 @@ Oscillator exact(double time) {
     double x, v, s;
   };
   const auto rate = [](const Oscillator& o) {
-    return Rate{o.v, -o.x - 0.3 * o.x * o.x * o.x + o.s - 0.1 * o.v, -o.v - 0.5 * o.s};
+    return Rate{o.v, -o.x - 0.3 * o.x * o.x * o.x + o.s - 0.1 * o.v,
+                -(1 + 0.2 * o.x) * o.v - 0.5 * o.s};
   };
   const auto moved = [](Oscillator o, const Rate& r, double dt) {
     o.x += dt * r.x, o.v += dt * r.v, o.s += dt * r.s;
@@ -89,6 +105,10 @@ TYPED_TEST(IntegratorContract, MovesUniformlyToTheLastDigits) {
     void kick(double) {}
     void kick_and_drift(double, double drift) { x += drift * v; }
     void evaluate(double) {}
+    void push(double) {}
+    void push_and_drift(double, double drift) { x += drift * v; }
+    void deform(double) {}
+    void exert(double) {}
   } system;
   for (int n = 0; n < 64; ++n) TypeParam::step(system, 0.5);
   EXPECT_EQ(system.x, 8);

@@ -35,21 +35,24 @@ double gap_of(const particles::State& s) {
 }
 
 /// A box around the blocks, under a weak gravity.
-Scene boxed(double void_density) {
+Scene boxed(double void_density, const char* voids = "all", const json& changes = json::object()) {
   json walls = {proof::wall("z_low", 0, "slip")};
   for (const char* face : {"x_low", "y_low"}) walls.push_back(proof::wall(face, 0, "slip"));
   for (const char* face : {"x_high", "y_high"}) walls.push_back(proof::wall(face, side, "slip"));
-  return proof::lab_scene({{"environment", {{"gravity_m_per_s2", {0, 0, -1e-4}}, {"walls", walls}}},
-                           {"numerics",
-                            {{"gradient", "corrected-fully"},
-                             {"integrator", "leapfrog-pece"},
-                             {"viscosity_alpha", 0.3},
-                             {"void_density", void_density}}}});
+  json scene = {{"environment", {{"gravity_m_per_s2", {0, 0, -1e-4}}, {"walls", walls}}},
+                {"numerics",
+                 {{"gradient", "corrected-fully"},
+                  {"integrator", "leapfrog-pece"},
+                  {"viscosity_alpha", 0.3},
+                  {"void_density", void_density},
+                  {"voids", voids}}}};
+  scene.merge_patch(changes);
+  return proof::lab_scene(scene);
 }
 
 /// Where the upper block comes to rest, m.
-double gap_at_rest(double void_density) {
-  Solver solver(boxed(void_density), two_blocks(2));
+double gap_at_rest(double void_density, const char* voids = "all") {
+  Solver solver(boxed(void_density, voids), two_blocks(2));
   while (solver.state().time < 400) solver.cycle(400);
   return gap_of(solver.state());
 }
@@ -59,6 +62,39 @@ TEST(Voids, LetTwoSurfacesComeAsCloseAsTheLayersOfABody) {
   EXPECT_GT(held_apart, 1.35);  // the kernel reaches 2.4 spacings
   EXPECT_LT(closed, 1.2);
   EXPECT_GT(closed, 0.95);
+}
+
+TEST(Voids, OfGapsAloneLetSurfacesComeAsClose) {
+  const double closed = gap_at_rest(0.95, "gaps");
+  EXPECT_LT(closed, 1.2);
+  EXPECT_GT(closed, 0.95);
+}
+
+/// Part of the uppermost layer of a block at rest that has pressure.
+double pressed_at_the_surface(const char* voids) {
+  Solver solver(boxed(0.95, voids), two_blocks(1));
+  while (solver.state().time < 100) solver.cycle(100);
+  double top = 0, pressed = 0;
+  for (std::size_t i = 0; i < solver.state().size(); ++i)
+    if (solver.state().id[i] % (2 * height) == 2 * height - 1)
+      ++top, pressed += solver.pressure()[i] > 0;
+  return pressed / top;
+}
+
+TEST(Voids, OfGapsAloneLeaveAFreeSurfaceItsPressure) {
+  EXPECT_EQ(pressed_at_the_surface("all"), 0);
+  EXPECT_EQ(pressed_at_the_surface("gaps"), 1);
+}
+
+TEST(Voids, OfGapsAloneAreNotSeenInMatterThatBearsTension) {
+  const json elastic = {{"material", proof::elastic_material(2700, 2.67e4, 2.27e4)}};
+  Solver with(boxed(0.95, "gaps", elastic), two_blocks(2)),
+      without(boxed(0, "all", elastic), two_blocks(2));
+  for (int k = 0; k < 20; ++k) with.cycle(1e9), without.cycle(1e9);
+  EXPECT_EQ(with.state().rho, without.state().rho);
+  Solver everywhere(boxed(0.95, "all", elastic), two_blocks(2));
+  for (int k = 0; k < 20; ++k) everywhere.cycle(1e9);
+  EXPECT_NE(everywhere.state().rho, without.state().rho);
 }
 
 TEST(Voids, LeaveABodyWithoutAnyAsItIs) {
@@ -86,7 +122,14 @@ TEST(Voids, AreTheSameAfterARestart) {
     EXPECT_EQ(norm(second.state().x[i] - whole.state().x[i]), 0);
 }
 
-TEST(Voids, AreSeenWithOneSmoothingLengthForAll) {
+TEST(Voids, OfGapsAloneCloseWithEvolvingSmoothingLengths) {
+  Solver solver(boxed(0.95, "gaps", {{"numerics", {{"smoothing", "evolving"}}}}), two_blocks(2));
+  while (solver.state().time < 400) solver.cycle(400);
+  EXPECT_LT(gap_of(solver.state()), 1.2);
+  EXPECT_GT(gap_of(solver.state()), 0.95);
+}
+
+TEST(Voids, EverywhereAreSeenWithOneSmoothingLengthForAll) {
   try {
     parse_scene({{"numerics", {{"void_density", 0.95}, {"smoothing", "evolving"}}}});
     FAIL() << "took both";
@@ -98,6 +141,7 @@ TEST(Voids, AreSeenWithOneSmoothingLengthForAll) {
 TEST(Voids, KeepTheHashOfScenesThatHaveNone) {
   const Scene off = parse_scene({{"numerics", {{"void_density", 0}}}});
   EXPECT_FALSE(to_json(off)["numerics"].contains("void_density"));
+  EXPECT_FALSE(to_json(off)["numerics"].contains("voids"));
   EXPECT_EQ(scene_hash(off), scene_hash(parse_scene(json::object())));
   EXPECT_NE(scene_hash(parse_scene({{"numerics", {{"void_density", 0.95}}}})), scene_hash(off));
 }

@@ -5,9 +5,9 @@
 #include <deque>
 #include <fstream>
 
+#include "campaign/job_folder/worker_exit.hpp"
 #include "campaign/job_folder/worker_lock.hpp"
 #include "campaign/sweeps/job.hpp"
-#include "campaign/job_folder/worker_exit.hpp"
 #include "db/jobs/control.hpp"
 #include "db/views/query.hpp"
 #include "solver/base/error.hpp"

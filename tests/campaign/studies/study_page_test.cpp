@@ -60,8 +60,9 @@ TEST(StudyPage, HasColumnsForTheTimeOfWhatWasPublished) {
   StudyCell c = cell("dual", 1000, {0.6, 0.6});
   c.at_published = {statistics::ensemble({0.30, 0.34}), statistics::ensemble({0.5, 0.5}), {}, 0.5};
   const std::string page = study_page(study, {c, cell("dual", 20000, {0.6})}, {});
-  EXPECT_THAT(page,
-              HasSubstr("| core-s | b/a at 100000 s | M_1/M at 100000 s | P(EER of 3) at 100000 s |\n"));
+  EXPECT_THAT(
+      page,
+      HasSubstr("| core-s | b/a at 100000 s | M_1/M at 100000 s | P(EER of 3) at 100000 s |\n"));
   EXPECT_THAT(page, HasSubstr("| 7 | 0.32 ± 0.03 | 0.50 ± 0.00 | 0.50 |\n"));
   EXPECT_THAT(page, HasSubstr("| 7 | - | - | - |\n"));
 }

@@ -5,8 +5,8 @@
 
 #include <fstream>
 
-#include "db/store/migrations.hpp"
 #include "db/store/error.hpp"
+#include "db/store/migrations.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
 namespace eerie::db {
