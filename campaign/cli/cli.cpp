@@ -8,6 +8,7 @@
 
 #include "campaign/cli/commands.hpp"
 #include "campaign/cli/options/command_list.hpp"
+#include "campaign/cli/options/options.hpp"
 #include "campaign/job_folder/provenance.hpp"
 #include "campaign/slurm/array_task.hpp"
 #include "campaign/worker/worker.hpp"
@@ -246,6 +247,7 @@ int main(int argc, char** argv) {
       sub->footer(std::string("Examples:\n") + command.examples);
     sub->callback([&chosen, action = command.add(*sub)] { chosen = action; });
   }
+  require_finite_numbers(app);
   try {
     require_command(argc, argv);
     app.parse(argc, argv);

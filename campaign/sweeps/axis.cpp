@@ -38,7 +38,7 @@ double number(const json& spec, const char* key, const std::string& where) {
   if (!spec[key].is_number())
     throw InputError(fmt::format("{}.{} = {}: must be a number; for example 3", where, key,
                                  spec[key].dump(-1, ' ', false, json::error_handler_t::replace)));
-  return spec[key].get<double>();
+  return canonical_number(spec[key].get<double>()).get<double>();
 }
 
 std::vector<double> range_values(const json& spec, const std::string& where) {
@@ -59,7 +59,7 @@ std::vector<double> list_values(const json& spec, const std::string& where) {
     if (!spec[i].is_number())
       throw InputError(fmt::format("{}[{}] = {}: must be a number; for example 20", where, i,
                                    spec[i].dump(-1, ' ', false, json::error_handler_t::replace)));
-    values.push_back(spec[i].get<double>() + 0.0);  // + 0.0: -0 is 0
+    values.push_back(canonical_number(spec[i].get<double>()).get<double>());
     if (!seen.insert(values.back()).second)
       throw InputError(fmt::format("{}[{}] = {}: stands twice in the list; remove one of them",
                                    where, i, spec[i].dump()));
@@ -79,9 +79,8 @@ std::vector<double> inclusive_range(double from, double to, double step, const s
   const int digits = std::max(decimals(from), decimals(step));
   // Beyond 300 decimals nothing physical is meant, and the text would not fit a double.
   const auto value = [&](double k) {
-    return std::strtod(fmt::format("{:.{}f}", from + k * step, std::min(digits, 300)).c_str(),
-                       nullptr) +
-           0.0;
+    const std::string text = fmt::format("{:.{}f}", from + k * step, std::min(digits, 300));
+    return canonical_number(std::strtod(text.c_str(), nullptr)).get<double>();
   };
   const double count = (to - from) / step;
   if (!(count < static_cast<double>(max_sweep_jobs)))

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "campaign/text/closest_names.hpp"
@@ -93,7 +94,15 @@ void apply_overrides(json& scene, const std::vector<std::string>& overrides) {
   for (const std::string& text : overrides) apply_override(scene, text);
 }
 
+double rounded(double value) {
+  return std::strtod(fmt::format("{:.{}g}", value, significant_digits).c_str(), nullptr) + 0.0;
+}
+
 json canonical_number(double value) {
+  // Integers are exact, seeds for instance.
+  if (value == std::floor(value) && std::abs(value) < 0x1p53)
+    return static_cast<std::int64_t>(value);
+  value = rounded(value);
   if (value == std::floor(value) && std::abs(value) < 0x1p53)
     return static_cast<std::int64_t>(value);
   return value;

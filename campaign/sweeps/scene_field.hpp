@@ -39,7 +39,12 @@ void set_field(nlohmann::json& scene, const std::string& path, nlohmann::json va
 /// Each "--set PATH=VALUE" in order, checked against the schema. Throws InputError.
 void apply_overrides(nlohmann::json& scene, const std::vector<std::string>& overrides);
 
-/// 30.0 becomes 30: one spelling for one number, and an integer where the schema wants one.
+/// Numbers of points and scenes that differ in later digits are one: 0.30000000000000004 is 0.3.
+inline constexpr int significant_digits = 12;
+/// The double nearest to the first significant_digits of a finite number; of -0 it is 0.
+double rounded(double value);
+
+/// The one spelling of a number: rounded(), and 30.0 as 30, an integer where the schema wants one.
 nlohmann::json canonical_number(double value);
 
 /// Every number of `document` in that spelling.

@@ -13,7 +13,8 @@ namespace {
 
 constexpr hsize_t chunk_rows = 16384;  ///< 128 kB of one number, 768 kB of a tensor
 constexpr unsigned gzip_level = 1;
-/// Deflate cannot shrink further than about 1 : 1030; shapes that claim more are not real.
+/// Deflate cannot shrink further than about 1 : 1030; shapes that claim more are not real. No array
+/// takes more memory than the whole file times this.
 constexpr hsize_t most_compression = 1100;
 
 /// Keeps the innermost reason, which comes first on the way up.
@@ -54,6 +55,34 @@ void read_value(hid_t object, const char* name, hid_t type, void* value) {
   require(H5Aread(attribute, type, value), named("reading attribute", name));
 }
 
+hsize_t file_size(hid_t object) {
+  const Handle file(checked(H5Iget_file_id(object), "file of an object"), H5Fclose);
+  hsize_t size = 0;
+  require(H5Fget_filesize(file, &size), "size of the file");
+  return size;
+}
+
+/// Throws Failure unless the content of a dataset lies in this file, in chunks no larger than the
+/// file could hold.
+void require_inside(hid_t dataset, const char* name) {
+  const Handle creation(checked(H5Dget_create_plist(dataset), named("layout of dataset", name)),
+                        H5Pclose);
+  const H5D_layout_t layout = H5Pget_layout(creation);
+  if (H5Pget_external_count(creation) != 0 || layout == H5D_VIRTUAL)
+    throw Failure(named("it takes numbers from other files in dataset", name));
+  if (layout != H5D_CHUNKED) return;
+  std::array<hsize_t, H5S_MAX_RANK> sides{};
+  const int rank = H5Pget_chunk(creation, static_cast<int>(sides.size()), sides.data());
+  require(rank, named("chunks of dataset", name));
+  const hsize_t most = most_compression * file_size(dataset);
+  hsize_t numbers = 1;
+  for (int k = 0; k < rank; ++k) {
+    const hsize_t side = sides[static_cast<std::size_t>(k)];
+    if (side > most / numbers) throw Failure(named("chunks larger than the file in dataset", name));
+    numbers *= side;
+  }
+}
+
 /// An open dataset after its type, rank and columns were found right.
 struct Array {
   Handle dataset;
@@ -63,6 +92,7 @@ Array open_array(hid_t parent, const char* name, hid_t type, hsize_t columns) {
   if (!has(parent, name)) throw Failure(named("it has no dataset", name));
   Handle dataset(checked(H5Dopen2(parent, name, H5P_DEFAULT), named("opening dataset", name)),
                  H5Dclose);
+  require_inside(dataset, name);
   const Handle file_type(checked(H5Dget_type(dataset), named("type of dataset", name)), H5Tclose);
   if (H5Tequal(file_type, type) <= 0) throw Failure(named("wrong number type in dataset", name));
   const Handle space(checked(H5Dget_space(dataset), named("shape of dataset", name)), H5Sclose);
@@ -73,8 +103,9 @@ Array open_array(hid_t parent, const char* name, hid_t type, hsize_t columns) {
       dims[1] != columns)
     throw Failure(fmt::format("dataset '{}' must have shape ({})", name,
                               columns == 1 ? "N" : fmt::format("N, {}", columns)));
-  const hsize_t stored = H5Dget_storage_size(dataset);
-  if (dims[0] * columns * H5Tget_size(type) / most_compression > stored)
+  // What an index says of its chunks may be forged too.
+  const hsize_t stored = std::min(H5Dget_storage_size(dataset), file_size(dataset));
+  if (dims[0] > stored * most_compression / (columns * H5Tget_size(type)))
     throw Failure(fmt::format("dataset '{}' claims {} rows but holds {} bytes", name, dims[0],
                               static_cast<unsigned long long>(stored)));
   return {std::move(dataset), dims[0]};
@@ -88,6 +119,8 @@ Handle memory_access() {
   // No space set aside for later: the file ends where its content ends.
   require(H5Pset_meta_block_size(access, 0), "file in memory");
   require(H5Pset_small_data_block_size(access, 0), "file in memory");
+  // Nor do files have libraries loaded, for filters that they name.
+  require(H5PLset_loading_state(0), "no plugins");
   return access;
 }
 
@@ -180,7 +213,12 @@ Handle open_group(hid_t parent, const char* name) {
 bool has(hid_t parent, const char* name) {
   const htri_t there = H5Lexists(parent, name, H5P_DEFAULT);
   if (there < 0) fail(named("looking for", name));
-  return there > 0;
+  if (there == 0) return false;
+  H5L_info_t link;
+  require(H5Lget_info(parent, name, &link, H5P_DEFAULT), named("looking at", name));
+  // Others lead to other files, or to links that do.
+  if (link.type != H5L_TYPE_HARD) throw Failure(named("it only has a link to elsewhere for", name));
+  return true;
 }
 
 Handle write_array(hid_t parent, const char* name, hid_t type, hsize_t rows, hsize_t columns,
@@ -263,7 +301,10 @@ std::string read_text(hid_t object, const char* name) {
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 ||
       H5Sget_simple_extent_npoints(space) != 1)
     throw Failure(named("wrong type or shape of attribute", name));
-  std::string text(H5Tget_size(type), '\0');
+  const std::size_t size = H5Tget_size(type);
+  if (size > file_size(object))
+    throw Failure(named("a text longer than the file in attribute", name));
+  std::string text(size, '\0');
   require(H5Aread(attribute, type, text.data()), named("reading attribute", name));
   return text;
 }

@@ -118,6 +118,7 @@ Handle open_bytes(const std::string& bytes);
 
 Handle new_group(hid_t parent, const char* name);
 Handle open_group(hid_t parent, const char* name);
+/// Throws Failure for links that are not hard: they may lead to other files.
 bool has(hid_t parent, const char* name);
 
 /// Chunked, compressed (shuffle, gzip) and checksummed (fletcher32); shape (rows) or (rows,
@@ -129,7 +130,8 @@ Handle write_array(hid_t parent, const char* name, std::span<const T> data) {
   return write_array(parent, name, Layout<T>::type(), data.size(), Layout<T>::columns, data.data());
 }
 
-/// Number of rows of a dataset that has the given type and columns; Failure where it has not.
+/// Number of rows of a dataset that has the given type and columns; Failure where it has not, where
+/// its content lies in other files, and where it claims more than the file could hold.
 hsize_t rows_of(hid_t parent, const char* name, hid_t type, hsize_t columns);
 /// Fills `data` with all rows; Failure where type or shape differ or a checksum is wrong.
 void read_array(hid_t parent, const char* name, hid_t type, hsize_t rows, hsize_t columns,

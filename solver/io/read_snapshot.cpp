@@ -1,10 +1,14 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "solver/base/error.hpp"
-#include "solver/base/file.hpp"
 #include "solver/io/hdf5.hpp"
 #include "solver/io/seal.hpp"
 #include "solver/io/snapshot.hpp"
@@ -61,6 +65,17 @@ std::string read_solver_version(hid_t file, bool sealed) {
   return h5::read_text(group, "SolverVersion");
 }
 
+/// Before there is memory for them: each array has n rows in the file.
+void require_rows(hid_t group, std::size_t n, const particles::OptionalFields& use) {
+  particles::State one;
+  particles::resize(one, 1, use);
+  particles::visit_state(one, [&]<class T>(const char* name, std::vector<T>&) {
+    const hsize_t rows = h5::rows_of(group, name, h5::Layout<T>::type(), h5::Layout<T>::columns);
+    if (rows != n)
+      throw Failure(fmt::format("dataset '{}' has {} rows, expected {}", name, rows, n));
+  });
+}
+
 particles::State read_state(hid_t file, const particles::OptionalFields& use) {
   const h5::Handle group = h5::open_group(file, "State");
   const std::int64_t version = h5::read_integer(group, "FormatVersion");
@@ -79,6 +94,7 @@ particles::State read_state(hid_t file, const particles::OptionalFields& use) {
   if (h5::has_attribute(group, "Softening")) state.softening = positive(group, "Softening");
   const std::size_t n = h5::rows_of(group, "ParticleIDs", h5::Layout<std::uint32_t>::type(), 1);
   if (n == 0) throw Failure("it has no particles");
+  require_rows(group, n, use);
   particles::resize(state, n, use);
   particles::visit_state(state,
                          [&](const char* name, auto& array) { read_field(group, name, n, array); });
@@ -134,11 +150,48 @@ InputError unusable(const std::filesystem::path& path, const std::exception& rea
   return InputError(fmt::format("{} is not a usable snapshot: {}", path.string(), reason.what()));
 }
 
+/// An open file, closed with this.
+struct Descriptor {
+  int fd;
+  explicit Descriptor(int number) : fd(number) {}
+  ~Descriptor() { ::close(fd); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+};
+
+/// Of a file, and of nothing that would let the reader wait or has no end: pipes and devices.
 std::string present_bytes(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored) && !ignored)
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (file.fd < 0 && errno == ENOENT)
     throw InputError(fmt::format("{}: there is no such snapshot", path.string()));
-  return read_file(path);
+  struct stat info {};
+  if (file.fd < 0 || ::fstat(file.fd, &info) != 0)
+    throw EnvironmentError(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
+  if (S_ISDIR(info.st_mode))
+    throw EnvironmentError(fmt::format("cannot read {}: it is a folder", path.string()));
+  if (!S_ISREG(info.st_mode))
+    throw InputError(
+        fmt::format("{}: is no regular file but a pipe, a socket or a device; give a "
+                    "snapshot that lies on a disk",
+                    path.string()));
+  const auto memory =
+      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  if (static_cast<double>(info.st_size) > memory)
+    throw InputError(fmt::format("{}: its {} bytes are more than the memory of this machine",
+                                 path.string(), info.st_size));
+  std::string bytes(static_cast<std::size_t>(info.st_size), '\0');
+  std::size_t at = 0;
+  while (at < bytes.size()) {
+    const ssize_t got = ::read(file.fd, bytes.data() + at, bytes.size() - at);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0)
+      throw EnvironmentError(
+          fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
+    if (got == 0) break;  // it was cut since
+    at += static_cast<std::size_t>(got);
+  }
+  bytes.resize(at);
+  return bytes;
 }
 
 }  // namespace

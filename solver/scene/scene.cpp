@@ -9,6 +9,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/sha256.hpp"
+#include "solver/base/two_bodies.hpp"
 #include "solver/scene/scene_schema_text.hpp"
 #include "solver/scene/schemes.hpp"
 #include "solver/scene/validate.hpp"
@@ -182,9 +183,25 @@ const json& scene_schema() {
   return schema;
 }
 
+/// The bodies start apart, on the orbit that leads to the impact.
+void require_orbit(const Scene& scene, const std::string& where) {
+  const double start = contact_distance(scene) * scene.impact.separation;
+  const Contact contact =
+      contact_of({scene.target.radius_m, scene.material.rho0_kg_per_m3}, scene.impact.q,
+                 scene.impact.v_imp_cm_per_s / 100, radians(scene.impact.theta_imp_deg));
+  if (radial_speed2(contact, start) >= 0) return;
+  throw InputError(fmt::format(
+      "{}.impact.v_imp_cm_per_s = {:g}: bodies of {:g} m that touch at {:g} deg were never {:.4g} "
+      "m "
+      "apart, as they start; give {:.4g} cm/s or more, or lower impact.separation = {:g}",
+      where, scene.impact.v_imp_cm_per_s, scene.target.radius_m, scene.impact.theta_imp_deg, start,
+      100 * least_contact_speed(contact, start) * 1.001, scene.impact.separation));
+}
+
 /// What no field can say of itself.
 void require_usable(const Scene& scene, const std::string& where) {
   require_consistent(scene, where);
+  require_orbit(scene, where);
   if (impactor_particles(scene) < 100)
     throw InputError(fmt::format(
         "{}.impact.q = {}: the impactor would have {} particles and needs at least 100; "

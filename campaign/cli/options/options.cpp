@@ -3,29 +3,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 #include "campaign/sweeps/fidelity.hpp"
+#include "campaign/sweeps/scene_field.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::cli {
 namespace {
 
-/// The number at the beginning of a text, and how many characters it takes; 0 without one.
+/// The finite number at the beginning of a text, and how many characters it takes; 0 without one.
 std::pair<double, std::size_t> leading_number(const std::string& text) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(text, &used);
-    return {value, used};
-  } catch (const std::logic_error&) {
-    return {0, 0};
-  }
+  double value = 0;
+  const char* begin = text.data() + (text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
+  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) return {0, 0};
+  return {sweeps::rounded(value), static_cast<std::size_t>(end - text.data())};
 }
 
 double parse_number(const std::string& text, const std::string& whole, const std::string& option) {
   const auto [value, used] = leading_number(text);
   if (used == 0 || used != text.size())
-    throw InputError(fmt::format("{} {}: must be LO:HI or one number; for example {} 18:22", option,
-                                 whole, option));
+    throw InputError(
+        fmt::format("{} {}: must be LO:HI or one number, all finite; for example {} 18:22", option,
+                    whole, option));
   return value;
 }
 
@@ -42,7 +44,23 @@ void require_hash(const std::string& word) {
                     word, fewest));
 }
 
+/// Makes `text` a number as points of jobs are stored; what is wrong where it is none.
+std::string make_finite_number(std::string& text) {
+  const auto [value, used] = leading_number(text);
+  if (used == 0 || used != text.size())
+    return fmt::format("{}: must be a finite number; for example 0.5", text);
+  text = fmt::format("{}", value);
+  return "";
+}
+
 }  // namespace
+
+void require_finite_numbers(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands({})) require_finite_numbers(*command);
+  for (CLI::Option* option : app.get_options())
+    if (option->get_type_name().starts_with("FLOAT"))
+      option->transform(CLI::Validator(make_finite_number, ""));
+}
 
 void add_database(CLI::App& app, std::filesystem::path& database) {
   database = "eerie.sqlite";
@@ -117,13 +135,14 @@ double parse_duration(const std::string& text, const std::string& option) {
     const char* name;
     double seconds;
   };
-  constexpr Unit units[] = {{"", 1}, {"s", 1}, {"min", 60}, {"h", 3600}, {"d", 86400}};
+  constexpr Unit units[] = {{"s", 1}, {"min", 60}, {"h", 3600}, {"d", 86400}};
   const auto [value, used] = leading_number(text);
   if (used > 0 && value > 0 && value < 1e9)
     for (const Unit& unit : units)
       if (text.substr(used) == unit.name) return value * unit.seconds;
-  throw InputError(fmt::format(
-      "{} {}: must be a positive time in s, min, h or d; for example {} 2h", option, text, option));
+  throw InputError(
+      fmt::format("{} {}: must be a positive time with its unit, s, min, h or d; for example {} 2h",
+                  option, text, option));
 }
 
 db::Range parse_range(const std::string& text, const std::string& option) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "db/views/map_points.hpp"
 #include "db/jobs/selection.hpp"
+#include "db/views/map_points.hpp"
 
 namespace eerie::cli {
 
@@ -17,6 +17,10 @@ using Action = std::function<int()>;
 
 inline constexpr int most_threads = 4096;
 inline constexpr int stopped_by_signal = 130;  // 128 + SIGINT, as shells expect
+
+/// Makes every option of the commands that takes a number refuse NaN, infinity and what follows a
+/// number, and round to sweeps::significant_digits. Goes after the commands have their options.
+void require_finite_numbers(CLI::App& app);
 
 // Options that several commands share.
 
@@ -58,7 +62,7 @@ void add_selection(CLI::App& app, SelectionArguments& arguments);
 /// Throws InputError for a word that is no job, and where nothing is selected without --all.
 db::Selection selection_of(const SelectionArguments& arguments, const std::string& command);
 
-/// "90", "90s", "45min", "2h", "1.5d" in seconds. Throws InputError naming `option`.
+/// "90s", "45min", "2h", "1.5d" in seconds. Throws InputError naming `option`, without a unit too.
 double parse_duration(const std::string& text, const std::string& option);
 
 /// "18:22" -> {18, 22}; "20" -> {20, 20}. Throws InputError naming `option`.

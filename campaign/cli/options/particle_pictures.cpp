@@ -10,8 +10,8 @@
 
 #include "analysis/drawing/gnuplot.hpp"
 #include "analysis/pictures/movie.hpp"
-#include "campaign/cli/output/text_table.hpp"
 #include "campaign/cli/output/files.hpp"
+#include "campaign/cli/output/text_table.hpp"
 #include "campaign/job_folder/job_directory.hpp"
 #include "campaign/job_folder/snapshot_files.hpp"
 #include "solver/base/error.hpp"
