@@ -1,16 +1,41 @@
 #include "campaign/job_folder/log.hpp"
 
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/spdlog.h>
 
+#include "campaign/text/plain_text.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::job_folder {
 
+namespace {
+
+/// A message on one line.
+class PlainMessage : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&,
+              spdlog::memory_buf_t& line) override {
+    const std::string plain = text::plain_text({message.payload.data(), message.payload.size()});
+    line.append(plain.data(), plain.data() + plain.size());
+  }
+  std::unique_ptr<custom_flag_formatter> clone() const override {
+    return std::make_unique<PlainMessage>();
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<spdlog::formatter> log_formatter() {
+  auto formatter = std::make_unique<spdlog::pattern_formatter>();
+  formatter->add_flag<PlainMessage>('*').set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %*");
+  return formatter;
+}
+
 void open_log(const JobDirectory& directory) {
   try {
     auto log = spdlog::basic_logger_mt("eerie", directory.log().string());
-    log->set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
+    log->set_formatter(log_formatter());
     log->flush_on(spdlog::level::info);
     spdlog::set_default_logger(std::move(log));
   } catch (const spdlog::spdlog_ex& error) {

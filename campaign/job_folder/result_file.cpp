@@ -1,5 +1,7 @@
 #include "campaign/job_folder/result_file.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "campaign/job_folder/provenance.hpp"
@@ -32,23 +34,36 @@ std::optional<double> angular_momentum_drift(const Scene& scene, const step::Tot
   return norm(after - before) / norm(before);
 }
 
+std::vector<std::string> run_warnings(const Scene& scene, const run::RunSummary& summary) {
+  const auto drift = angular_momentum_drift(scene, summary.first_totals, summary.last_totals);
+  if (!drift || *drift <= most_angular_momentum_drift) return {};
+  return {
+      fmt::format("the angular momentum changed by {:.2g} %, more than the {:g} % up to which a "
+                  "result is trusted; use more particles, a smaller cfl, or material that is "
+                  "less stiff or cohesive",
+                  100 * *drift, 100 * most_angular_momentum_drift)};
+}
+
 json run_json(const Scene& scene, const run::RunSummary& summary) {
   json stages;
   for (std::size_t i = 0; i < stage_count; ++i)
     stages[std::string(stage_names[i])] = summary.stages.seconds[i];
   const auto drift = angular_momentum_drift(scene, summary.first_totals, summary.last_totals);
-  return {{"end_time_s", summary.progress.time},
-          {"end_reason", run::end_reason_names[static_cast<std::size_t>(summary.reason)]},
-          {"steps", summary.progress.step},
-          {"particle_steps", summary.progress.particle_steps},
-          {"wall_s", summary.progress.wall_s},
-          {"steps_last_attempt", summary.steps_here},
-          {"list_builds_last_attempt", summary.list_builds},
-          {"threads", summary.threads},
-          {"stages_s", std::move(stages)},
-          {"dL_over_L", drift ? json(*drift) : json()},
-          {"totals_start", totals_json(summary.first_totals)},
-          {"totals_end", totals_json(summary.last_totals)}};
+  json document = {{"end_time_s", summary.progress.time},
+                   {"end_reason", run::end_reason_names[static_cast<std::size_t>(summary.reason)]},
+                   {"steps", summary.progress.step},
+                   {"particle_steps", summary.progress.particle_steps},
+                   {"wall_s", summary.progress.wall_s},
+                   {"steps_last_attempt", summary.steps_here},
+                   {"list_builds_last_attempt", summary.list_builds},
+                   {"threads", summary.threads},
+                   {"stages_s", std::move(stages)},
+                   {"dL_over_L", drift ? json(*drift) : json()},
+                   {"totals_start", totals_json(summary.first_totals)},
+                   {"totals_end", totals_json(summary.last_totals)}};
+  const std::vector<std::string> warnings = run_warnings(scene, summary);
+  if (!warnings.empty()) document["warnings"] = warnings;
+  return document;
 }
 
 json result_json(const Scene& scene, const run::RunSummary& summary,

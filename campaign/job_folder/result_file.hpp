@@ -24,6 +24,12 @@ nlohmann::json result_json(const Scene& scene, const run::RunSummary& summary,
 /// What a run cost and how well it kept what it must keep: the "run" part of result.json.
 nlohmann::json run_json(const Scene& scene, const run::RunSummary& summary);
 
+/// A run that keeps its angular momentum worse is warned of: the usual settings keep it to 1e-3
+/// (docs/stability.md).
+inline constexpr double most_angular_momentum_drift = 0.01;
+/// What is to be said of a run beside its result; "warnings" of its "run" part.
+std::vector<std::string> run_warnings(const Scene& scene, const run::RunSummary& summary);
+
 /// |L_end - L_start| / |L_start| of the whole system; nothing for a head-on impact, which has no
 /// angular momentum to compare with.
 std::optional<double> angular_momentum_drift(const Scene& scene, const step::Totals& start,

@@ -100,11 +100,9 @@ double rounded(double value) {
 
 json canonical_number(double value) {
   // Integers are exact, seeds for instance.
-  if (value == std::floor(value) && std::abs(value) < 0x1p53)
-    return static_cast<std::int64_t>(value);
-  value = rounded(value);
-  if (value == std::floor(value) && std::abs(value) < 0x1p53)
-    return static_cast<std::int64_t>(value);
+  const auto is_integer = [&] { return value == std::floor(value) && std::abs(value) < 0x1p53; };
+  if (!is_integer()) value = rounded(value);
+  if (is_integer()) return static_cast<std::int64_t>(value);
   return value;
 }
 

@@ -2,21 +2,36 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace eerie::text {
 
-/// A field of a CSV file in quotation marks, those within it doubled (RFC 4180).
+/// Whether a spreadsheet takes a text for a formula: it begins with = + - @ or a control character,
+/// and is no number.
+inline bool is_formula(const std::string& text) {
+  if (text.empty() || std::string_view("=+-@\t\r").find(text[0]) == std::string_view::npos)
+    return false;
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  const bool number = text.find_first_not_of("+-.0123456789eE") == std::string::npos;
+  return !(number && end == text.c_str() + text.size());
+}
+
+/// A field of a CSV file in quotation marks, those within it doubled (RFC 4180). Behind an
+/// apostrophe where spreadsheets would take it for a formula; parse_csv() takes that off again.
 inline std::string csv_quoted(const std::string& text) {
-  std::string out = "\"";
+  std::string out = is_formula(text) ? "\"'" : "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
   return out + "\"";
 }
 
-/// The same, quoted only where it must be.
+/// The same, quoted only where it must be, and where it could be taken for a comment.
 inline std::string csv_field(const std::string& text) {
-  return text.find_first_of(",\"\r\n") == std::string::npos ? text : csv_quoted(text);
+  const bool bare = text.find_first_of(",;\"\r\n") == std::string::npos && !text.starts_with('#');
+  return bare && !is_formula(text) ? text : csv_quoted(text);
 }
 
 /// A number with six digits; empty where there is none.

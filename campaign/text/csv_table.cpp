@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "campaign/text/csv.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::text {
@@ -50,6 +51,12 @@ std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
 
+/// "'=1+1" as csv_field() has it is "=1+1".
+std::string without_apostrophe(const std::string& text) {
+  const bool formula = text.starts_with('\'') && is_formula(text.substr(1));
+  return formula ? text.substr(1) : text;
+}
+
 /// What the first line that is no comment parts its fields by.
 char separator_of(std::string_view header) {
   char best = ',';
@@ -70,14 +77,18 @@ CsvTable parse_csv(std::string_view text, const std::string& name) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view whole = text.substr(at, end - at);
     const std::size_t letter = whole.find_first_not_of(" \t\r");
-    if (letter == std::string_view::npos || whole[letter] == '#') {
+    const bool marked = letter != std::string_view::npos && whole[letter] == '#';
+    // Below the header "#7,20,15" is the line of an impact named #7.
+    const bool comment =
+        marked && (table.header.empty() || whole.find(separator) == std::string_view::npos);
+    if (letter == std::string_view::npos || comment) {
       at = end + 1, ++line;
       continue;
     }
     const std::size_t here = line;
     if (table.header.empty()) separator = separator_of(whole);
     std::vector<std::string> fields = record(text, separator, at, line, name);
-    for (std::string& field : fields) field = trimmed(field);
+    for (std::string& field : fields) field = without_apostrophe(trimmed(field));
     if (table.header.empty()) {
       table.header = std::move(fields);
     } else if (fields.size() == table.header.size()) {
@@ -85,8 +96,9 @@ CsvTable parse_csv(std::string_view text, const std::string& name) {
     } else {
       throw InputError(
           fmt::format("{}, line {}: has {} fields and the header has {}; quote fields "
-                      "that hold a comma, leave unknown ones empty",
-                      name, here, fields.size(), table.header.size()));
+                      "that hold a comma, leave unknown ones empty{}",
+                      name, here, fields.size(), table.header.size(),
+                      marked ? ", and put comments above the header" : ""));
     }
   }
   if (table.header.empty())

@@ -8,7 +8,9 @@
 namespace eerie::text {
 
 /// A CSV file (RFC 4180) with a header. Also read: fields parted by semicolons or tabs instead,
-/// lines of comment that begin with #, empty lines, a byte order mark.
+/// empty lines, a byte order mark, and lines of comment: those above the header that begin with #,
+/// and those below it that have no second field besides. Fields that begin with '= '+ '- or '@, as
+/// csv_field() writes formulas, are read without the apostrophe.
 struct CsvTable {
   struct Row {
     std::size_t line = 0;  ///< in the file, from 1

@@ -94,6 +94,8 @@ int run_job(const job_folder::JobDirectory& directory, int threads) {
         job_folder::result_json(scene, computed.summary, computed.analysis).dump(1) + "\n");
     fs::remove(directory.checkpoint());
     fs::remove(directory.previous_checkpoint());
+    for (const std::string& warning : job_folder::run_warnings(scene, computed.summary))
+      spdlog::warn("{}", warning);
     spdlog::info("done: {} steps in {:.1f} s", computed.summary.progress.step,
                  computed.summary.progress.wall_s);
     return static_cast<int>(ExitCode::done);

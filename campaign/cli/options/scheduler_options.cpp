@@ -5,6 +5,7 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include "campaign/job_folder/log.hpp"
 #include "campaign/manager/local_processes.hpp"
 #include "campaign/slurm/profile.hpp"
 #include "campaign/slurm/slurm_scheduler.hpp"
@@ -65,7 +66,7 @@ void open_manager_log(const std::filesystem::path& database, bool to_stderr) {
         database.string() + ".log", bytes, files)};
     if (to_stderr) sinks.push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
     auto log = std::make_shared<spdlog::logger>("manager", sinks.begin(), sinks.end());
-    log->set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
+    log->set_formatter(job_folder::log_formatter());
     log->flush_on(spdlog::level::info);
     // A full disk must not fill standard error as well.
     log->set_error_handler([](const std::string&) {});

@@ -12,6 +12,7 @@
 #include "campaign/cli/output/campaign_watch.hpp"
 #include "campaign/cli/output/files.hpp"
 #include "campaign/job_folder/job_directory.hpp"
+#include "campaign/job_folder/result_file.hpp"
 #include "campaign/maps/map.hpp"
 #include "campaign/process/signals.hpp"
 #include "campaign/sweeps/job.hpp"
@@ -96,6 +97,22 @@ void print_report(const db::Connection& connection, const RunArguments& a, std::
   for (const fs::path& picture : pictures) fmt::print("map:      {}\n", picture.string());
 }
 
+/// Results that are not to be trusted, in one sentence.
+void print_drifts(const db::Connection& connection, std::int64_t sweep) {
+  db::ResultFilter filter;
+  filter.sweep = sweep;
+  const std::vector<db::ResultRow> all = db::results(connection, filter);
+  const auto drifting = std::ranges::count_if(all, [](const db::ResultRow& row) {
+    return row.result.dL_over_L > job_folder::most_angular_momentum_drift;
+  });
+  if (drifting > 0)
+    print_warnings({fmt::format(
+        "{} of {} results changed their angular momentum by more than {:g} %; `eerie query --where "
+        "dL_over_L={:g}:` shows them, docs/stability.md what to change",
+        drifting, all.size(), 100 * job_folder::most_angular_momentum_drift,
+        job_folder::most_angular_momentum_drift)});
+}
+
 /// Options of --fidelity auto say nothing without it.
 void require_fixed_fidelity(const RunArguments& a) {
   for (const auto& [given, option] :
@@ -148,6 +165,7 @@ int run(const RunArguments& a) {
   } catch (const EnvironmentError& error) {
     no_pictures = error.what();
   }
+  print_drifts(connection, added.sweep);
   if (a.json)
     fmt::print("{}\n", report_json(connection, a, added.sweep, name, after, pictures).dump(1));
   else

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
 
 #include "campaign/cli/commands.hpp"
 #include "campaign/cli/output/outcome_text.hpp"
@@ -105,6 +106,9 @@ int solve(const SolveArguments& a) {
   line.finish();
   const run::RunSummary& summary = computed.summary;
   const bool finished = summary.end == run::RunEnd::finished;
+  for (const std::string& warning : job_folder::run_warnings(scene, summary))
+    spdlog::warn("{}", warning);
+  print_warnings(job_folder::run_warnings(scene, summary));
   if (finished)
     install_text(directory.result(),
                  job_folder::result_json(scene, summary, computed.analysis).dump(1) + "\n");

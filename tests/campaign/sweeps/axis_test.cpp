@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
+#include "campaign/sweeps/scene_field.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::sweeps {
@@ -29,6 +32,24 @@ TEST(InclusiveRange, HoldsEveryTenthUpToAThousand) {
 
 TEST(InclusiveRange, RefusesAStepThatVanishesBesideItsStart) {
   EXPECT_THROW(inclusive_range(1e17, 1e17 + 64, 1, "x"), InputError);
+}
+
+TEST(CanonicalNumber, KeepsTwelveDigitsOfAFractionAndEveryDigitOfAnInteger) {
+  EXPECT_EQ(canonical_number(0.30000000000000004), nlohmann::json(0.3));
+  EXPECT_EQ(canonical_number(0.1 + 0.7).dump(), "0.8");
+  EXPECT_EQ(canonical_number(-0.0).dump(), "0");
+  EXPECT_EQ(canonical_number(30.0).dump(), "30");
+  EXPECT_EQ(canonical_number(29.999999999999996).dump(), "30");
+  EXPECT_EQ(canonical_number(4503599627370497.0).dump(), "4503599627370497");
+  EXPECT_NE(canonical_number(0.3), canonical_number(0.300000000001));
+}
+
+TEST(ParseAxis, NumbersThatDifferBeyondTwelveDigitsAreOne) {
+  const Axis axis = parse_axis("impact.q", {0.30000000000000004, 0.5}, "s");
+  EXPECT_THAT(axis.values, testing::ElementsAre(0.3, 0.5));
+  EXPECT_THROW(parse_axis("impact.q", {0.3, 0.30000000000000004}, "s"), InputError);
+  const nlohmann::json range = {{"from", 0.1}, {"to", 0.30000000000000004}, {"step", 0.1}};
+  EXPECT_THAT(parse_axis("impact.q", range, "s").values, testing::ElementsAre(0.1, 0.2, 0.3));
 }
 
 }  // namespace
