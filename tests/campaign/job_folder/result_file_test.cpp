@@ -80,6 +80,18 @@ TEST_F(ResultFile, HasNoDriftToTellForAHeadOnImpact) {
   EXPECT_TRUE(run_json(scene, summary).at("dL_over_L").is_null());
 }
 
+TEST_F(ResultFile, WarnsOfADriftOfTheAngularMomentumAboveOnePerCentAndOfNoSmallerOne) {
+  run::RunSummary summary = test::sample_summary(scene);
+  const double start = summary.first_totals.angular_momentum.z;
+  summary.last_totals.angular_momentum = {0, 0, 1.0099 * start};
+  EXPECT_TRUE(run_warnings(scene, summary).empty());
+  EXPECT_FALSE(run_json(scene, summary).contains("warnings"));
+  summary.last_totals.angular_momentum = {0, 0, 0.89 * start};
+  ASSERT_EQ(run_warnings(scene, summary).size(), 1u);
+  EXPECT_NE(run_warnings(scene, summary)[0].find("changed by 11 %"), std::string::npos);
+  EXPECT_EQ(run_json(scene, summary).at("warnings").size(), 1u);
+}
+
 TEST_F(ResultFile, TellsWhereItsNumbersComeFrom) {
   const json source = json::parse(read_file(directory.result())).at("provenance");
   for (const char* key : {"version", "solver_version", "commit", "compiler", "flags", "host"})
