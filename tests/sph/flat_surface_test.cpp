@@ -6,7 +6,7 @@
 #include "solver/sph/kernel.hpp"
 #include "tests/support/variant_types.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 namespace {
 
 template <class Kernel>
@@ -40,4 +40,4 @@ TYPED_TEST(FlatSurfaceOf, IsHalfOnThePlaneAndBeyondAndAllDeepInside) {
 }
 
 }  // namespace
-}  // namespace eerie
+}  // namespace eerie::sph
