@@ -17,6 +17,7 @@
 #include "campaign/worker/worker.hpp"
 #include "db/jobs/control.hpp"
 #include "solver/base/file.hpp"
+#include "tests/bench/csv_block.hpp"
 #include "tests/campaign/job_folder/job_files.hpp"
 #include "tests/db/jobs/sample_jobs.hpp"
 #include "tests/io/snapshot_fixture.hpp"
@@ -128,24 +129,23 @@ Row measure(int jobs) {
 }
 
 void draw(const fs::path& csv, const fs::path& picture) {
-  std::string script = gnuplot_terminal(picture, 255, 330);
-  script += fmt::format(R"(
-set datafile separator ','
+  drawing::Script script = drawing::gnuplot_terminal(picture, 255, 330);
+  script += bench::data_block("$rows", csv);
+  script += drawing::Literal(R"(
 set logscale xy
-set format x '10^{{%T}}'
+set format x '10^{%T}'
 set xlabel 'jobs in the database'
 set xrange [700:150000]
 set key outside bottom center vertical maxrows 3 samplen 1
 set grid ytics lc rgb '#dddddd'
 set ylabel 'time, s  (overhead: s per job)'
-plot '{0}' skip 1 using 1:2 with linespoints pt 7 lc rgb '#0072b2' title 'submit (at most 10)', \
-     '' skip 1 using 1:3 with linespoints pt 5 lc rgb '#d55e00' title 'status (0.2)', \
-     '' skip 1 using 1:4 with linespoints pt 9 lc rgb '#009e73' title 'query (0.2)', \
-     '' skip 1 using 1:5 with linespoints pt 11 lc rgb '#cc79a7' title 'pause all', \
-     '' skip 1 using 1:($6/1000) with linespoints pt 13 lc rgb '#e69f00' title 'overhead (0.05)'
-)",
-                        csv.string());
-  run_gnuplot(script, picture);
+plot $rows using 1:2 with linespoints pt 7 lc rgb '#0072b2' title 'submit (at most 10)', \
+     $rows using 1:3 with linespoints pt 5 lc rgb '#d55e00' title 'status (0.2)', \
+     $rows using 1:4 with linespoints pt 9 lc rgb '#009e73' title 'query (0.2)', \
+     $rows using 1:5 with linespoints pt 11 lc rgb '#cc79a7' title 'pause all', \
+     $rows using 1:($6/1000) with linespoints pt 13 lc rgb '#e69f00' title 'overhead (0.05)'
+)");
+  drawing::run_gnuplot(script, picture);
 }
 
 }  // namespace

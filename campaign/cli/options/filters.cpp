@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "analysis/remnants/outcome.hpp"
 #include "campaign/cli/options/options.hpp"
 #include "campaign/sweeps/fidelity.hpp"
+#include "campaign/sweeps/scene_field.hpp"
 #include "campaign/text/closest_names.hpp"
 #include "db/store/bind.hpp"
 #include "db/views/column_meanings.hpp"
@@ -33,7 +35,8 @@ std::optional<double> number_of(const std::string& text) {
   try {
     std::size_t used = 0;
     const double value = std::stod(text, &used);
-    if (used == text.size() && std::isfinite(value)) return value;
+    if (used == text.size() && std::isfinite(value))
+      return sweeps::canonical_number(value).get<double>();
   } catch (const std::logic_error&) {
   }
   return std::nullopt;
