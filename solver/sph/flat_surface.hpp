@@ -7,7 +7,7 @@
 
 #include "solver/base/constants.hpp"
 
-namespace eerie {
+namespace eerie::sph {
 
 /// What a particle counts of matter of density 1 that fills one side of a plane: sum_j m W_ij, by
 /// the length of its first moment, sum_j m W_ij x_ij/h. Both say how deep below the plane it lies.
@@ -60,4 +60,4 @@ double flat_density(double moment) {
   return surface.density(moment);
 }
 
-}  // namespace eerie
+}  // namespace eerie::sph

@@ -8,7 +8,7 @@
 
 // The moves of an integrator that staggers stress against velocity (integrators/staggered.hpp).
 
-namespace eerie {
+namespace eerie::step {
 
 namespace {
 
@@ -209,4 +209,4 @@ void step::Solver::set_forces(std::size_t i, std::size_t count, const sph::Packe
     });
 }
 
-}  // namespace eerie
+}  // namespace eerie::step

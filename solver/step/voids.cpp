@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "solver/base/places.hpp"
 #include "solver/sph/flat_surface.hpp"
 #include "solver/sph/kernel.hpp"
 #include "solver/step/solver.hpp"
+#include "solver/tree/places.hpp"
 
 // Voids that close without pressure.
 
@@ -20,7 +20,7 @@ constexpr double convexity = 0.95;
 /// How particle k of a bucket is surrounded. Places are in units of h.
 template <class Kernel>
 struct Surroundings {
-  const Places& around;
+  const tree::Places& around;
   std::size_t k;
   double per_volume;  ///< m/h^3 and the kernel's normalisation, kg/m^3
 
@@ -81,12 +81,12 @@ void Solver::find_voids() {
           if (density >= part * rho0) return false;
           if (!gaps_only) return true;
           const double m = norm(outward);
-          const bool fits = density >= convexity * part * rho0 * flat_density<Kernel>(m / rho0);
+          const bool fits = density >= convexity * part * rho0 * sph::flat_density<Kernel>(m / rho0);
           return !fits || m == 0 || seen.faces_something(outward / m);
         };
 #pragma omp parallel
         {
-          Places around;
+          tree::Places around;
 #pragma omp for schedule(dynamic, 8)
           for (std::size_t b = 0; b < lists_.buckets(); ++b) {
             const std::size_t begin = b * tree::bucket_size;

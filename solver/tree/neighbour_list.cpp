@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
-#include "solver/base/places.hpp"
+#include "solver/tree/places.hpp"
 #include "solver/base/simd.hpp"
 
 namespace eerie::tree {

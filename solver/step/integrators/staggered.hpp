@@ -1,6 +1,6 @@
 #pragma once
 
-namespace eerie {
+namespace eerie::step {
 
 /// Velocity Verlet with the stress staggered against the velocity: what strains is the velocity in
 /// the middle of a step, what pushes is the stress at its end. Gradient and force are visits of
@@ -18,4 +18,4 @@ struct Staggered {
   }
 };
 
-}  // namespace eerie
+}  // namespace eerie::step

@@ -210,7 +210,7 @@ class CatalogueOfResults : public testing::Test {
   CatalogueOfResults() {
     for (int seed = 1; seed <= 2; ++seed) {
       add(test::survey_scene(1, 40, 17.123456789012345, 15, seed), 0.25);
-      add(test::survey_scene(1.0 / 3, 50, 0.07, 12.5, seed), 0.6);
+      add(test::survey_scene(1.0 / 3, 50, 10.07, 12.5, seed), 0.6);
     }
     nlohmann::json other = test::survey_scene(0.5, 30, 20, 89, 7);
     other["target"]["radius_m"] = 123.4;

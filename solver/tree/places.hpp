@@ -6,7 +6,7 @@
 #include "solver/base/simd.hpp"
 #include "solver/base/vec3.hpp"
 
-namespace eerie {
+namespace eerie::tree {
 
 /// Places as floats, relative to a point near by, side by side, so that the distances of a whole
 /// pack of them are found at once.
@@ -42,4 +42,4 @@ struct Places {
   }
 };
 
-}  // namespace eerie
+}  // namespace eerie::tree
