@@ -13,6 +13,7 @@
 
 namespace eerie::auto_fidelity {
 namespace fs = std::filesystem;
+using text::Column, text::Field, text::shown, text::Value;
 
 namespace {
 
@@ -22,6 +23,12 @@ std::vector<Wanted> affordable_next(const AutoFidelity& campaign, double core_ho
   if (core_hours == 0) return campaign.next();
   return manager::affordable(campaign.next(), core_hours - spent_core_hours(campaign),
                              manager::known_speed(connection));
+}
+
+/// A field of what is known of an impact; of one that never ran "-".
+Field<AutoCell> known(Column column, std::function<Value(const AutoCell&)> value) {
+  return {std::move(column),
+          [value](const AutoCell& c) { return c.fidelity.empty() ? Value() : value(c); }};
 }
 
 }  // namespace
@@ -49,6 +56,30 @@ manager::Tally run_auto(db::Connection& connection, AutoFidelity& campaign, cons
   }
   campaign.update(connection);
   return last;
+}
+
+text::Table table_of_cells(const AutoFidelity& campaign) {
+  const auto scene = [](const char* header, double (*value)(const Scene&)) {
+    return Field<AutoCell>{shown(header),
+                           [value](const AutoCell& c) { return value(c.survey_scene); }};
+  };
+  return text::table_of<AutoCell>(
+      {scene("q", [](const Scene& s) { return s.impact.q; }),
+       scene("phi_d deg", [](const Scene& s) { return s.material.drucker_prager.phi_d_deg; }),
+       scene("v cm/s", [](const Scene& s) { return s.impact.v_imp_cm_per_s; }),
+       scene("theta deg", [](const Scene& s) { return s.impact.theta_imp_deg; }),
+       known(shown("rests on"),
+             [](const AutoCell& c) { return fmt::format("{} x {}", c.fidelity, c.seeds()); }),
+       known(shown("class"), [](const AutoCell& c) { return c.verdict.outcome; }),
+       known(shown("P(class)", "{:.2f}"), [](const AutoCell& c) { return c.verdict.p_outcome; }),
+       known(shown("b/a", "{:.3f}"), [](const AutoCell& c) { return c.verdict.b_over_a; }),
+       known(shown("P(b/a < 0.3)", "{:.2f}"),
+             [](const AutoCell& c) { return c.verdict.p_elongated; }),
+       {shown(""),
+        [&](const AutoCell& c) {
+          return c.fidelity.empty() ? "not run" : campaign.in_doubt(c) ? "in doubt" : "";
+        }}},
+      campaign.cells());
 }
 
 double spent_core_hours(const AutoFidelity& campaign) {

@@ -6,6 +6,7 @@
 
 #include "campaign/auto_fidelity/auto_fidelity.hpp"
 #include "campaign/manager/campaign_run.hpp"
+#include "campaign/text/table.hpp"
 
 namespace eerie::auto_fidelity {
 
@@ -33,13 +34,17 @@ struct AutoPlan {
 manager::Tally run_auto(db::Connection& connection, AutoFidelity& campaign, const AutoPlan& plan,
                         const manager::Workplace& workplace, AutoObserver& observer);
 
+/// What is known of each impact, for people.
+text::Table table_of_cells(const AutoFidelity& campaign);
+
 /// Core-hours of all runs that the verdicts made use of.
 double spent_core_hours(const AutoFidelity& campaign);
 
 /// Impacts whose answer is not as sure as asked.
 std::size_t doubtful(const AutoFidelity& campaign);
 
-/// Writes STEM.csv and one map (.png and .svg) per mass ratio and friction angle; returns the files.
+/// Writes STEM.csv and one map (.png and .svg) per mass ratio and friction angle; returns the
+/// files.
 std::vector<std::filesystem::path> write_results(const AutoFidelity& campaign,
                                                  const std::filesystem::path& stem);
 

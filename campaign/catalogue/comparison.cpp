@@ -7,12 +7,16 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/paper/impact_run.hpp"
+#include "analysis/remnants/outcome.hpp"
 #include "db/jobs/jobs.hpp"
 #include "db/views/query.hpp"
 #include "db/views/view.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie::catalogue {
+using text::both, text::data, text::or_null, text::shown;
+using text::Column, text::Field, text::Value;
+
 namespace {
 
 constexpr double same_bodies = 1e-6;  // relative, in radius and density
@@ -91,6 +95,75 @@ std::vector<Comparison> compare(const db::Connection& connection, const Catalogu
     }
   }
   return all;
+}
+
+namespace {
+
+/// A field of our results; of an impact without any null.
+Field<Comparison> ours(Column column, std::function<Value(const Comparison&)> value) {
+  return {std::move(column),
+          [value](const Comparison& c) { return c.runs > 0 ? value(c) : Value(); }};
+}
+
+Field<Comparison> theirs(Column column, std::function<Value(const CatalogueRow&)> value) {
+  return {std::move(column), [value](const Comparison& c) { return value(*c.row); }};
+}
+
+}  // namespace
+
+text::Table table_of_comparisons(const std::vector<Comparison>& all) {
+  using Row = CatalogueRow;
+  return text::table_of<Comparison>(
+      {theirs(data("run_id"), [](const Row& r) { return r.run_id; }),
+       theirs(shown("run"),
+              [](const Row& r) {
+                return r.run_id.empty() ? fmt::format("line {}", r.line) : r.run_id;
+              }),
+       theirs(data("line"), [](const Row& r) { return r.line; }),
+       theirs(both("v_imp_cm_per_s", "v cm/s", "{:.5g}"),
+              [](const Row& r) { return r.impact.v_imp_cm_per_s; }),
+       theirs(both("theta_imp_deg", "theta deg", "{:.4g}"),
+              [](const Row& r) { return r.impact.theta_imp_deg; }),
+       theirs(both("q", "q", "{:.4g}"), [](const Row& r) { return r.impact.q; }),
+       ours(both("settings", "settings"), [](const Comparison& c) { return c.settings; }),
+       {both("runs", "runs"), [](const Comparison& c) { return c.runs; }},
+       theirs(both("class", "class"),
+              [](const Row& r) {
+                return r.outcome.outcome_class.empty() ? Value() : Value(r.outcome.outcome_class);
+              }),
+       ours(both("class_ours", "ours"), [](const Comparison& c) { return c.outcome_class; }),
+       ours(both("runs_of_class", "of"), [](const Comparison& c) { return c.of_class; }),
+       theirs(both("m_lr_over_m_total", "M_lr/M", "{:.3f}"),
+              [](const Row& r) { return or_null(r.outcome.m_lr_over_m_total); }),
+       ours(both("m_lr_over_m_total_ours", "M_lr/M ours", "{:.3f}"),
+            [](const Comparison& c) { return c.m_lr_over_m_total; }),
+       ours(both("m_lr_scatter", "+-", "{:.3f}"),
+            [](const Comparison& c) { return c.runs > 1 ? Value(c.m_lr_scatter) : Value(); }),
+       {both("m_lr_difference", "difference", "{:+.3f}"),
+        [](const Comparison& c) { return or_null(c.m_lr_difference()); }},
+       theirs(data("m_slr_over_m_total"),
+              [](const Row& r) { return or_null(r.outcome.m_slr_over_m_total); }),
+       ours(data("m_slr_over_m_total_ours"),
+            [](const Comparison& c) { return c.m_slr_over_m_total; }),
+       theirs(data("b_over_a"), [](const Row& r) { return or_null(r.outcome.b_over_a); }),
+       {data("b_over_a_ours"), [](const Comparison& c) { return or_null(c.b_over_a); }}},
+      all);
+}
+
+Agreement agreement_of(const std::vector<Comparison>& all) {
+  Agreement whole;
+  double squares = 0;
+  for (const Comparison& c : all) {
+    if (c.runs == 0) ++whole.lacking;
+    if (const auto difference = c.m_lr_difference())
+      ++whole.masses, squares += *difference * *difference;
+    const std::string& theirs = c.row->outcome.outcome_class;
+    if (c.runs == 0 || !remnants::outcome_named(theirs)) continue;
+    ++whole.classes;
+    if (theirs == c.outcome_class) ++whole.same_class;
+  }
+  if (whole.masses > 0) whole.m_lr_rms = std::sqrt(squares / static_cast<double>(whole.masses));
+  return whole;
 }
 
 }  // namespace eerie::catalogue

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "campaign/catalogue/catalogue.hpp"
+#include "campaign/text/table.hpp"
 #include "db/store/connection.hpp"
 
 namespace eerie::catalogue {
@@ -26,5 +27,17 @@ struct Comparison {
 /// Every row of the catalogue, in its order, once for each settings with results of its bodies at
 /// its point, or once with no runs. Results of another solver version are left out.
 std::vector<Comparison> compare(const db::Connection& connection, const Catalogue& catalogue);
+
+/// A row for each, for programs and for people; null where there is no result.
+text::Table table_of_comparisons(const std::vector<Comparison>& all);
+
+/// How well the comparisons agree as a whole.
+struct Agreement {
+  std::size_t lacking = 0;                  ///< rows without a result
+  std::size_t masses = 0;                   ///< rows whose largest masses can be compared ...
+  double m_lr_rms = 0;                      ///< ... and the root mean square of the differences
+  std::size_t classes = 0, same_class = 0;  ///< rows whose classes can be compared, and are equal
+};
+Agreement agreement_of(const std::vector<Comparison>& all);
 
 }  // namespace eerie::catalogue

@@ -1,85 +1,18 @@
 #include "campaign/cli/cli.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <functional>
+#include <sstream>
 
-#include "campaign/cli/commands.hpp"
 #include "campaign/cli/options/command_list.hpp"
-#include "campaign/cli/options/options.hpp"
 #include "campaign/job_folder/provenance.hpp"
-#include "campaign/slurm/array_task.hpp"
-#include "campaign/worker/worker.hpp"
-#include "db/store/error.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/simd.hpp"
 
 namespace eerie::cli {
 namespace {
-
-// Each function adds one command's options and gives what the command does. The arguments live
-// as long as the action.
-
-Action add_run(CLI::App& app) {
-  auto a = std::make_shared<RunArguments>();
-  app.add_option("SWEEP", a->sweep, "sweep file")->required();
-  add_database(app, a->database);
-  add_share(app, a->workers, a->threads_per_job);
-  add_changes(app, a->changes);
-  app.add_option("--map", a->maps, "draw the b/a map into this file too (.png, .svg or .pdf)");
-  app.add_flag("--retry-failed", a->retry_failed, "run the sweep's failed jobs again");
-  app.add_option("--confidence", a->confidence,
-                 "with --fidelity auto: how sure class and b/a < 0.3 must be (default: 0.9)")
-      ->check(CLI::Range(0.5, 0.999));
-  app.add_option("--budget", a->core_hours,
-                 "with --fidelity auto: core-hours that it may cost (default: no limit)")
-      ->check(CLI::Range(0.001, 1e7));
-  app.add_option("--most-seeds", a->most_seeds,
-                 "with --fidelity auto: surveys of one impact at most (default: 8)")
-      ->check(CLI::Range(1, 1000));
-  add_engine(app, a->engine);
-  add_json(app, a->json);
-  return [a] { return run(*a); };
-}
-
-Action add_expand(CLI::App& app) {
-  auto a = std::make_shared<ExpandArguments>();
-  app.add_option("SWEEP", a->sweep, "sweep file")->required();
-  add_database(app, a->database);
-  add_changes(app, a->changes);
-  app.add_flag("--list", a->list, "print every job");
-  add_json(app, a->json);
-  return [a] { return expand(*a); };
-}
-
-Action add_solve(CLI::App& app) {
-  auto a = std::make_shared<SolveArguments>();
-  app.add_option("SCENE", a->scene, "scene file")->required();
-  app.add_option("--out", a->directory, "folder for snapshots, history and result")->required();
-  app.add_option("--max-steps", a->max_steps, "stop after so many steps (default: at the end time)")
-      ->check(CLI::Range(1L, 1'000'000'000'000L));
-  app.add_option("--threads", a->threads, "threads (default: all cores)")
-      ->check(CLI::Range(1, most_threads));
-  add_changes(app, a->changes);
-  add_json(app, a->json);
-  return [a] { return solve(*a); };
-}
-
-Action add_worker(CLI::App& app) {
-  auto a = std::make_shared<worker::WorkerOptions>();
-  app.add_option("DIR", a->directory, "job directory")->required();
-  app.add_option("--threads", a->threads, "threads")->check(CLI::Range(1, most_threads));
-  app.add_option("--parent", a->parent, "process to end with");
-  return [a] { return worker::run_worker(*a); };
-}
-
-Action add_slurm_task(CLI::App& app) {
-  auto batch = std::make_shared<std::filesystem::path>();
-  app.add_option("BATCH", *batch, "folder of the batch")->required();
-  return [batch] { return slurm::run_array_task(slurm::array_task_options(*batch)); };
-}
 
 struct Command {
   const char* name;
@@ -220,14 +153,39 @@ void require_command(int argc, char** argv) {
   throw InputError(fmt::format("there is no command \"{}\"; the commands are {}", argv[1], names));
 }
 
-int complain(const char* text, ExitCode code) {
-  fmt::print(stderr, "eerie: {}\n", text);
+int complaint(const char* text, ExitCode code) {
+  complain(std::string("eerie: ") + text);
   return static_cast<int>(code);
 }
 
-}  // namespace
+/// Adds all commands; the one that is given sets `chosen`, and the format of the output.
+void add_commands(CLI::App& app, Action& chosen, Output& out) {
+  for (const Command& command : commands) {
+    CLI::App* sub = app.add_subcommand(command.name, command.description);
+    if (command.examples == nullptr)
+      sub->group("");
+    else
+      sub->footer(std::string("Examples:\n") + command.examples);
+    sub->callback([&chosen, &out, sub, action = command.add(*sub)] {
+      chosen = action;
+      out.format = format_of(*sub);
+    });
+  }
+}
 
-int main(int argc, char** argv) {
+/// --help and --version are answers, all else is a complaint.
+int exit_of_parser(const CLI::App& app, const CLI::ParseError& error, Output& out) {
+  std::ostringstream said, complained;
+  app.exit(error, said, complained);
+  out.write(said.str());
+  if (std::string text = complained.str(); !text.empty()) {
+    text.erase(text.find_last_not_of('\n') + 1);
+    complain(text);
+  }
+  return error.get_exit_code() == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
+}
+
+int run_command(int argc, char** argv, Output& out) {
   CLI::App app(
       "eerie explores impacts of planetesimals that leave extremely elongated remnants (EERs).",
       "eerie");
@@ -239,30 +197,38 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done, 1 some job failed, 2 bad input, 3 environment, 130 stopped by Ctrl-C.\n"
       "`eerie COMMAND --help` shows examples.");
   Action chosen;
-  for (const Command& command : commands) {
-    CLI::App* sub = app.add_subcommand(command.name, command.description);
-    if (command.examples == nullptr)
-      sub->group("");
-    else
-      sub->footer(std::string("Examples:\n") + command.examples);
-    sub->callback([&chosen, action = command.add(*sub)] { chosen = action; });
-  }
+  add_commands(app, chosen, out);
   require_finite_numbers(app);
   try {
     require_command(argc, argv);
     app.parse(argc, argv);
-    return chosen();
+    const Answer answer = chosen(out);
+    out.print(answer);
+    return answer.exit_code;
   } catch (const CLI::ParseError& error) {
-    const bool asked_for = error.get_exit_code() == 0;  // --help, --version
-    return app.exit(error) == 0 && asked_for ? 0 : static_cast<int>(ExitCode::bad_input);
+    return exit_of_parser(app, error, out);
   } catch (const InputError& error) {
-    return complain(error.what(), ExitCode::bad_input);
+    return complaint(error.what(), ExitCode::bad_input);
   } catch (const NumericalError& error) {
-    return complain(error.what(), ExitCode::job_failed);
+    return complaint(error.what(), ExitCode::job_failed);
   } catch (const std::exception& error) {
     // EnvironmentError, db::Error and whatever the system's libraries throw.
-    return complain(error.what(), ExitCode::environment);
+    return complaint(error.what(), ExitCode::environment);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  process::guard_standard_streams();
+  Output out(STDOUT_FILENO);
+  const int code = run_command(argc, argv, out);
+  try {
+    out.finish();
+  } catch (const EnvironmentError& error) {
+    return complaint(error.what(), ExitCode::environment);
+  }
+  return code;
 }
 
 }  // namespace eerie::cli

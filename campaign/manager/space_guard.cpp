@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "campaign/process/signals.hpp"
 #include "solver/base/disk.hpp"
 
 namespace eerie::manager {
@@ -48,6 +49,18 @@ std::optional<std::string> DiskGuard::complaint(Clock::time_point now) {
         std::chrono::duration_cast<std::chrono::seconds>(full_until_ - now).count() + 1);
   doubted_ = false;
   return std::nullopt;
+}
+
+bool wait_for_room(const std::filesystem::path& folder, std::uintmax_t least_free,
+                   const std::function<void(const std::string&)>& tell) {
+  DiskGuard guard({folder}, least_free);
+  for (bool told = false; process::stop_requests() == 0; told = true) {
+    const auto complaint = guard.complaint(DiskGuard::Clock::now());
+    if (!complaint) return true;
+    if (!told) tell("waiting: " + *complaint);
+    process::wait_for_signal(std::chrono::seconds(1));
+  }
+  return false;
 }
 
 }  // namespace eerie::manager

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,5 +39,9 @@ class DiskGuard {
   bool doubted_ = false;  ///< found full since room was last tried
   std::uintmax_t free_when_full_ = 0;
 };
+
+/// Waits until a folder has so much room; `tell` hears once why. False: a stop was asked for first.
+bool wait_for_room(const std::filesystem::path& folder, std::uintmax_t least_free,
+                   const std::function<void(const std::string&)>& tell);
 
 }  // namespace eerie::manager

@@ -13,6 +13,7 @@
 #include "campaign/maps/map_csv.hpp"
 #include "campaign/maps/settings_choice.hpp"
 #include "campaign/sweeps/job.hpp"
+#include "db/jobs/job_settings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
@@ -144,6 +145,19 @@ void require_map_files(const std::vector<fs::path>& files, const std::string& op
           fmt::format("{} {}: must end in .png, .svg or .pdf, or in .csv for the numbers alone; "
                       "for example {} map.png",
                       option, file.string(), option));
+}
+
+void require_one_figure(const std::vector<db::NewJob>& jobs, const std::string& option) {
+  constexpr const char* mend = "leave it out, all of them are drawn beside the database";
+  if (const std::size_t all = db::count_settings(jobs); all > 1)
+    throw InputError(fmt::format("{}: the sweep has {} settings, which make maps of their own; {}",
+                                 option, all, mend));
+  std::set<std::pair<double, double>> panels;
+  for (const db::NewJob& job : jobs) panels.emplace(job.q, job.phi_d_deg);
+  if (panels.size() > diagrams::most_panels)
+    throw InputError(fmt::format(
+        "{}: the sweep makes {} maps (of q and phi_d), {} are the most in one figure; {}", option,
+        panels.size(), diagrams::most_panels, mend));
 }
 
 std::vector<fs::path> draw_named_maps(const db::Connection& connection, const NamedMaps& request) {

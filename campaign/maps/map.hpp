@@ -35,6 +35,9 @@ struct NamedMaps {
 };
 /// Throws InputError for a file of another kind.
 void require_map_files(const std::vector<std::filesystem::path>& files, const std::string& option);
+/// What is asked for must be possible before hours of work. Throws InputError, which begins with
+/// `option`, for jobs whose maps are not one figure.
+void require_one_figure(const std::vector<db::NewJob>& jobs, const std::string& option);
 /// Draws one figure of all that the filter leaves into each file, with its numbers beside it, and
 /// returns what was written. Throws InputError where the filter leaves several settings, or several
 /// maps of several quantities; a table may hold several settings.

@@ -4,8 +4,12 @@
 
 namespace eerie::cli {
 
-// Each adds one command's options to its part of the command line and gives what it does.
+// Each adds one command's options to its part of the command line and gives what it does. The
+// arguments live as long as the action.
 
+Action add_run(CLI::App& app);
+Action add_expand(CLI::App& app);
+Action add_solve(CLI::App& app);
 Action add_analyse(CLI::App& app);
 Action add_daemon(CLI::App& app);
 Action add_submit(CLI::App& app);
@@ -29,5 +33,7 @@ Action add_check(CLI::App& app);
 Action add_disk(CLI::App& app);
 Action add_lightcurve(CLI::App& app);
 Action add_map(CLI::App& app);
+Action add_worker(CLI::App& app);      ///< hidden
+Action add_slurm_task(CLI::App& app);  ///< hidden
 
 }  // namespace eerie::cli

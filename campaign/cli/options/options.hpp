@@ -7,16 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "db/jobs/selection.hpp"
+#include "campaign/cli/output/output.hpp"
+#include "campaign/queries/filter.hpp"
+#include "campaign/queries/find_job.hpp"
 #include "db/views/map_points.hpp"
 
 namespace eerie::cli {
 
-/// What a command does once its options are read; the arguments live as long as it.
-using Action = std::function<int()>;
+/// What a command does once its options are read. What it says while it is at work goes to the
+/// output at once.
+using Action = std::function<Answer(Output&)>;
 
 inline constexpr int most_threads = 4096;
-inline constexpr int stopped_by_signal = 130;  // 128 + SIGINT, as shells expect
 
 /// Makes every option of the commands that takes a number refuse NaN, infinity and what follows a
 /// number, and round to sweeps::significant_digits. Goes after the commands have their options.
@@ -34,7 +36,10 @@ struct SceneChanges {
 };
 void add_changes(CLI::App& app, SceneChanges& changes);
 void add_share(CLI::App& app, int& workers, int& threads_per_job);
-void add_json(CLI::App& app, bool& json);
+/// --json and --quiet.
+void add_formats(CLI::App& app);
+/// What these say, or those of the command within a command.
+Format format_of(const CLI::App& app);
 
 /// Conditions on a job's point, of any arguments that have them.
 template <class Arguments>
@@ -50,22 +55,9 @@ void add_settings_filter(CLI::App& app, db::MapFilter& filter);
 /// --q, --phi-d, --particles and these.
 void add_map_filter(CLI::App& app, db::MapFilter& filter);
 
-/// Jobs as words, --sweep and the conditions of `query`.
-struct SelectionArguments {
-  std::vector<std::string> jobs;
-  std::optional<std::string> sweep;
-  std::optional<double> q, phi_d_deg;
-  std::string v, theta;  ///< "LO:HI" or one number; empty: all
-  bool all = false;
-};
-void add_selection(CLI::App& app, SelectionArguments& arguments);
-/// Throws InputError for a word that is no job, and where nothing is selected without --all.
-db::Selection selection_of(const SelectionArguments& arguments, const std::string& command);
+void add_selection(CLI::App& app, queries::JobChoice& choice);
 
-/// "90s", "45min", "2h", "1.5d" in seconds. Throws InputError naming `option`, without a unit too.
-double parse_duration(const std::string& text, const std::string& option);
-
-/// "18:22" -> {18, 22}; "20" -> {20, 20}. Throws InputError naming `option`.
-db::Range parse_range(const std::string& text, const std::string& option);
+/// Conditions of `query` and of what else chooses among impacts.
+void add_filters(CLI::App& app, queries::Filter& filter);
 
 }  // namespace eerie::cli

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -26,10 +25,6 @@ void add_pictures(CLI::App& app, PictureArguments& arguments);
 /// {"panels": [{"requested_s" (null where chosen), "time_s", "file", "remnants_outside"}],
 ///  "frames", "frame_width_m", "centred_on", "pictures": [file...]}
 /// Throws InputError for what cannot be drawn.
-nlohmann::json draw_pictures(const PictureArguments& arguments,
-                             const std::filesystem::path& folder);
-
-/// The same for people.
-std::string pictures_text(const nlohmann::json& report);
+Answer draw_pictures(const PictureArguments& arguments, const std::filesystem::path& folder);
 
 }  // namespace eerie::cli

@@ -5,8 +5,10 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include "campaign/cli/output/files.hpp"
 #include "campaign/job_folder/log.hpp"
 #include "campaign/manager/local_processes.hpp"
+#include "campaign/process/signals.hpp"
 #include "campaign/slurm/profile.hpp"
 #include "campaign/slurm/slurm_scheduler.hpp"
 #include "solver/base/error.hpp"
@@ -33,6 +35,13 @@ void require_consistent(const EngineArguments& a) {
   if (a.is_local() && !a.profile.empty())
     throw InputError(
         fmt::format("--profile {}: is for Slurm; add --scheduler slurm", a.profile.string()));
+}
+
+HeldDatabase::HeldDatabase(const fs::path& database, const EngineArguments& engine)
+    : lock((process::catch_stop_signals(), process::hold_signals(), make_folder_of(database),
+            database)),
+      connection(database, db::Access::write) {
+  if (!engine.jobs_dir.empty()) job_folder::choose_job_folder(connection, engine.jobs_dir);
 }
 
 std::unique_ptr<manager::Scheduler> make_scheduler(const EngineArguments& a,

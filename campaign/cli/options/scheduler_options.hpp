@@ -8,6 +8,7 @@
 #include "campaign/manager/campaign_run.hpp"
 #include "campaign/manager/manager.hpp"
 #include "campaign/manager/scheduler.hpp"
+#include "db/store/lock.hpp"
 
 namespace eerie::cli {
 
@@ -24,6 +25,15 @@ void add_engine(CLI::App& app, EngineArguments& arguments);
 
 /// Throws InputError where the options do not fit together.
 void require_consistent(const EngineArguments& arguments);
+
+/// A database that this process alone works on, with the folder of its jobs. Its own folder is made
+/// where there is none, and stop signals are held.
+struct HeldDatabase {
+  HeldDatabase(const std::filesystem::path& database, const EngineArguments& engine);
+
+  db::Lock lock;
+  db::Connection connection;
+};
 
 /// The scheduler for a database whose job folder is chosen. `workers` and `threads_per_job` are of
 /// local processes.

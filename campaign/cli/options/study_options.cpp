@@ -1,11 +1,5 @@
 #include "campaign/cli/options/study_options.hpp"
 
-#include <fmt/format.h>
-
-#include <cstdio>
-
-#include "solver/base/error.hpp"
-
 namespace eerie::cli {
 
 void add_study(CLI::App& app, StudyArguments& a) {
@@ -21,15 +15,19 @@ void add_study(CLI::App& app, StudyArguments& a) {
       ->check(CLI::Range(0.001, 1e7));
   add_share(app, a.share.workers, a.share.threads_per_job);
   app.add_flag("--draw-only", a.plan.draw_only, "run nothing: figures and tables of what is there");
-  add_json(app, a.json);
+  add_formats(app);
 }
 
-int study_exit(const manager::Tally& left) {
-  if (left.left > 0) {
-    fmt::print(stderr, "stopped; the same command goes on from the checkpoints\n");
-    return stopped_by_signal;
-  }
-  return static_cast<int>(left.failed > 0 ? ExitCode::job_failed : ExitCode::done);
+Answer study_answer(const std::string& study, std::size_t results, const manager::Tally& left,
+                    const std::vector<std::filesystem::path>& files) {
+  Answer answer;
+  conclude(answer, left, " from the checkpoints");
+  answer.data = {{"study", study},
+                 {"results", results},
+                 {"failed", left.failed},
+                 {"left", left.left},
+                 {"files", names_of(files)}};
+  return answer;
 }
 
 }  // namespace eerie::cli

@@ -13,23 +13,21 @@ struct StudyArguments {
   std::filesystem::path study;
   studies::StudyPlan plan;  ///< but for name and document
   manager::Share share;
-  bool json = false;
 };
 void add_study(CLI::App& app, StudyArguments& arguments);
 
 /// studies::work_on_study(), shown on the terminal.
 template <class Study, class Run>
 studies::StudyWork<Run> watch_study(StudyArguments a, const Study& study,
-                                    const std::vector<Run>& runs) {
+                                    const std::vector<Run>& runs, Output& out) {
   a.plan.name = study.name, a.plan.document = study.document.dump();
   if (!a.plan.draw_only) make_folder_of(a.plan.database);
-  CampaignWatch watch(study.name, a.json);
-  auto work = studies::work_on_study(a.plan, runs, workplace({}, a.share), watch);
-  watch.finish();
-  return work;
+  CampaignWatch watch(study.name, out);
+  return studies::work_on_study(a.plan, runs, workplace({}, a.share), watch);
 }
 
-/// Of a study that is not finished; the exit code.
-int study_exit(const manager::Tally& left);
+/// {"study", "results", "failed", "left", "files"} and the exit code of it.
+Answer study_answer(const std::string& study, std::size_t results, const manager::Tally& left,
+                    const std::vector<std::filesystem::path>& files);
 
 }  // namespace eerie::cli

@@ -1,46 +1,54 @@
 #include "campaign/cli/output/campaign_watch.hpp"
 
-#include <fmt/format.h>
-
-#include <cstdio>
-
 namespace eerie::cli {
 namespace {
 
 std::string text(const manager::Split& split) {
-  return fmt::format("{} job{} x {} thread{}", split.jobs, split.jobs == 1 ? "" : "s",
-                     split.threads, split.threads == 1 ? "" : "s");
+  return count_of(split.jobs, "job") + " x " +
+         count_of(static_cast<std::size_t>(split.threads), "thread");
 }
 
 }  // namespace
 
 void CampaignWatch::measured(std::span<const manager::Split> splits) {
-  if (quiet_) return;
-  fmt::print("{}:", text(splits.front()));
+  std::string speeds;
   for (const manager::Split& split : splits)
-    fmt::print("{} {:.3g} M particle-steps/s",
-               &split == &splits.front() ? "" : fmt::format("; {}", text(split)),
-               split.particle_steps_per_s / 1e6);
-  fmt::print(" (measured; --workers and --threads-per-job decide otherwise)\n");
-  std::fflush(stdout);
+    speeds += fmt::format("{} {:.3g} M particle-steps/s",
+                          &split == &splits.front() ? "" : "; " + text(split),
+                          split.particle_steps_per_s / 1e6);
+  out_.say("{}:{} (measured; --workers and --threads-per-job decide otherwise)\n",
+           text(splits.front()), speeds);
+}
+
+void CampaignWatch::at_work(const manager::CampaignView& view) {
+  if (out_.format == Format::nothing) return;
+  line_.show([&](std::size_t width, bool on_terminal) {
+    return progress_fitting(view, width, on_terminal);
+  });
 }
 
 void CampaignWatch::begins(std::size_t runs, std::size_t known, std::size_t left) {
-  if (quiet_) return;
-  fmt::print("{}: {} runs within the budget, {}{} to run\n", name_, runs,
-             known > 0 ? fmt::format("{} known, ", known) : "", left);
-  std::fflush(stdout);
+  out_.say("{}: {} runs within the budget, {}{} to run\n", name_, runs,
+           known > 0 ? fmt::format("{} known, ", known) : "", left);
 }
 
 void CampaignWatch::begins(const auto_fidelity::AutoRound& round,
                            const auto_fidelity::AutoFidelity& campaign) {
-  if (quiet_) return;
-  fmt::print(
+  out_.say(
       "round {}: {} of {} impacts in doubt; {} sketches and {} surveys wanted, {} to run; {:.2f} "
       "core-hours so far\n",
       round.number, auto_fidelity::doubtful(campaign), campaign.cells().size(), round.sketches,
       round.surveys, round.left, auto_fidelity::spent_core_hours(campaign));
-  std::fflush(stdout);
+}
+
+void conclude(Answer& answer, const manager::Tally& t, const std::string& how) {
+  answer.exit_code = static_cast<int>(t.failed > 0 ? ExitCode::job_failed : ExitCode::done);
+  if (t.left > t.paused) {
+    answer.complain("stopped; the same command goes on{}", how);
+    answer.exit_code = stopped_by_signal;
+  } else if (t.paused > 0) {
+    answer.complain("{} jobs are paused; `eerie resume` lets them go on", t.paused);
+  }
 }
 
 }  // namespace eerie::cli

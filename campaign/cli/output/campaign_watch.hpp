@@ -1,27 +1,33 @@
 #pragma once
 
 #include "campaign/auto_fidelity/auto_run.hpp"
+#include "campaign/cli/output/output.hpp"
 #include "campaign/cli/output/progress_line.hpp"
+#include "campaign/cli/output/status_line.hpp"
 #include "campaign/studies/study_run.hpp"
 
 namespace eerie::cli {
 
-/// Shows a campaign at work: a progress line, and what begins unless it is to be quiet.
+/// Shows a campaign at work: what begins, and its progress.
 class CampaignWatch : public studies::StudyObserver, public auto_fidelity::AutoObserver {
  public:
-  CampaignWatch(std::string name, bool quiet) : name_(std::move(name)), quiet_(quiet) {}
+  CampaignWatch(std::string name, Output& out) : name_(std::move(name)), out_(out) {}
+  ~CampaignWatch() override { line_.finish(); }
 
   void measured(std::span<const manager::Split> splits) override;
-  void at_work(const manager::CampaignView& view) override { line_.show(view); }
+  void at_work(const manager::CampaignView& view) override;
   void begins(std::size_t runs, std::size_t known, std::size_t left) override;
   void begins(const auto_fidelity::AutoRound& round,
               const auto_fidelity::AutoFidelity& campaign) override;
-  void finish() { line_.finish(); }
 
  private:
   std::string name_;
-  bool quiet_;
-  ProgressLine line_;
+  Output& out_;
+  StatusLine line_;
 };
+
+/// How a campaign ended, by what is left of it: the exit code, and why that is not 0. `how` says
+/// from where the same command goes on.
+void conclude(Answer& answer, const manager::Tally& tally, const std::string& how = "");
 
 }  // namespace eerie::cli

@@ -1,31 +1,28 @@
 #include "campaign/cli/output/disk_report.hpp"
 
-#include <fmt/format.h>
-
-#include <optional>
-
-#include "campaign/cli/output/text_table.hpp"
-
 namespace eerie::cli {
 using eerie::disk::Nebula;
 using eerie::disk::Place;
 using eerie::disk::PublishedNumber;
-using nlohmann::json;
 
-json to_json(const Place& p) {
-  return {{"drag", name(p.law)},
-          {"regime", name(p.drag.regime)},
-          {"t_s_s", p.drag.stopping_time},
-          {"t_s_omega_k", p.t_s_omega_k},
-          {"turbulent_speed_cm_per_s", 100 * p.turbulent_speed},
-          {"stirred_speed_cm_per_s", 100 * p.stirred_speed},
-          {"alpha_at_15_cm_per_s", p.alpha_slow},
-          {"alpha_at_40_cm_per_s", p.alpha_fast},
-          {"stirrer_radius_km_at_15_cm_per_s", p.stirrer_radius_slow / 1000},
-          {"stirrer_radius_km_at_40_cm_per_s", p.stirrer_radius_fast / 1000}};
+Table table_of_places(const std::vector<Place>& places) {
+  return table_of<Place>(
+      {{data("drag"), [](const Place& p) { return name(p.law); }},
+       {data("regime"), [](const Place& p) { return name(p.drag.regime); }},
+       {data("t_s_s"), [](const Place& p) { return p.drag.stopping_time; }},
+       {data("t_s_omega_k"), [](const Place& p) { return p.t_s_omega_k; }},
+       {data("turbulent_speed_cm_per_s"), [](const Place& p) { return 100 * p.turbulent_speed; }},
+       {data("stirred_speed_cm_per_s"), [](const Place& p) { return 100 * p.stirred_speed; }},
+       {data("alpha_at_15_cm_per_s"), [](const Place& p) { return p.alpha_slow; }},
+       {data("alpha_at_40_cm_per_s"), [](const Place& p) { return p.alpha_fast; }},
+       {data("stirrer_radius_km_at_15_cm_per_s"),
+        [](const Place& p) { return p.stirrer_radius_slow / 1000; }},
+       {data("stirrer_radius_km_at_40_cm_per_s"),
+        [](const Place& p) { return p.stirrer_radius_fast / 1000; }}},
+      places);
 }
 
-json to_json(const Nebula& n) {
+Value to_json(const Nebula& n) {
   return {{"r_au", n.r / disk::astronomical_unit},
           {"gas_kg_per_m2", n.gas_surface_density},
           {"solids_kg_per_m2", n.solid_surface_density},
@@ -37,17 +34,6 @@ json to_json(const Nebula& n) {
           {"omega_k_per_s", n.omega_k}};
 }
 
-json to_json(const PublishedNumber& n) {
-  const auto value = [](const std::optional<double>& v) { return v ? json(*v) : json(nullptr); };
-  return {{"quantity", n.quantity},
-          {"unit", n.unit},
-          {"paper", n.paper},
-          {"by_its_formulas", value(n.by_formulas)},
-          {"by_nebula", value(n.by_nebula)},
-          {"agrees", agrees(n, n.computed())},
-          {"source", n.source}};
-}
-
 std::string nebula_line(const Nebula& n) {
   return fmt::format(
       "Hayashi's nebula at {:g} AU: gas {:.4g} kg/m^2, solids {:.3g} kg/m^2, {:.3g} K, sound "
@@ -56,8 +42,8 @@ std::string nebula_line(const Nebula& n) {
       n.sound_speed, n.head_wind, n.mean_free_path);
 }
 
-std::string place_table(double r_au, const disk::PlaceQuestion& q,
-                        const std::vector<Place>& places) {
+Table turned_table_of_places(double r_au, const disk::PlaceQuestion& q,
+                             const std::vector<Place>& places) {
   std::vector<std::vector<std::string>> rows = {
       {fmt::format("bodies of {:g} m at {:g} AU", q.body.radius, r_au)},
       {"law of drag"},
@@ -77,22 +63,28 @@ std::string place_table(double r_au, const disk::PlaceQuestion& q,
                                              p.stirrer_radius_fast / 1000)};
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(cells[i]);
   }
-  return text_table(rows);
+  const std::vector<std::string> headers = rows.front();
+  rows.erase(rows.begin());
+  return text::words(headers, rows);
 }
 
-std::string published_table(const std::vector<PublishedNumber>& numbers) {
-  const auto number = [](const std::optional<double>& v) {
-    return v ? fmt::format("{:.3g}", *v) : std::string();
+Table table_of_published(const std::vector<PublishedNumber>& numbers) {
+  const auto computed = [](const PublishedNumber& n) {
+    return agrees(n, n.computed()) ? "agrees" : fmt::format("x {:.2f}", n.computed() / n.paper);
   };
-  std::vector<std::vector<std::string>> rows = {
-      {"Sugiura et al. (2019)", "unit", "paper", "its formulas", "nebula", "", "source"}};
-  for (const PublishedNumber& n : numbers)
-    rows.push_back(
-        {n.quantity, n.unit, fmt::format("{:g}", n.paper), number(n.by_formulas),
-         number(n.by_nebula),
-         agrees(n, n.computed()) ? "agrees" : fmt::format("x {:.2f}", n.computed() / n.paper),
-         n.source});
-  return text_table(rows);
+  return table_of<PublishedNumber>(
+      {{both("quantity", "Sugiura et al. (2019)"),
+        [](const PublishedNumber& n) { return n.quantity; }},
+       {both("unit", "unit"), [](const PublishedNumber& n) { return n.unit; }},
+       {both("paper", "paper", "{:g}"), [](const PublishedNumber& n) { return n.paper; }},
+       {both("by_its_formulas", "its formulas", "{:.3g}"),
+        [](const PublishedNumber& n) { return or_null(n.by_formulas); }},
+       {both("by_nebula", "nebula", "{:.3g}"),
+        [](const PublishedNumber& n) { return or_null(n.by_nebula); }},
+       {data("agrees"), [](const PublishedNumber& n) { return agrees(n, n.computed()); }},
+       {shown(""), computed},
+       {both("source", "source"), [](const PublishedNumber& n) { return n.source; }}},
+      numbers);
 }
 
 }  // namespace eerie::cli

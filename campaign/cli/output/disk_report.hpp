@@ -1,24 +1,23 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "analysis/disk/place.hpp"
 #include "analysis/disk/published_numbers.hpp"
+#include "campaign/cli/output/answer.hpp"
 
 namespace eerie::cli {
 
-// What `eerie disk` prints.
+// What `eerie disk` answers.
 
-nlohmann::json to_json(const disk::Nebula& nebula);
-nlohmann::json to_json(const disk::Place& place);
-nlohmann::json to_json(const disk::PublishedNumber& number);
-
+Value to_json(const disk::Nebula& nebula);
 std::string nebula_line(const disk::Nebula& nebula);
-/// A column for each law of drag.
-std::string place_table(double r_au, const disk::PlaceQuestion& question,
-                        const std::vector<disk::Place>& places);
-std::string published_table(const std::vector<disk::PublishedNumber>& numbers);
+/// For programs: a row for each law of drag.
+Table table_of_places(const std::vector<disk::Place>& places);
+/// For people: a column for each law of drag.
+Table turned_table_of_places(double r_au, const disk::PlaceQuestion& question,
+                             const std::vector<disk::Place>& places);
+Table table_of_published(const std::vector<disk::PublishedNumber>& numbers);
 
 }  // namespace eerie::cli

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "solver/base/error.hpp"
+#include "solver/base/file.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;
@@ -14,6 +15,11 @@ void make_folder_of(const fs::path& file) {
   if (problem)
     throw EnvironmentError(fmt::format("cannot make the folder {}: {}; give another file",
                                        file.parent_path().string(), problem.message()));
+}
+
+void install(const fs::path& file, std::string_view text) {
+  make_folder_of(file);
+  install_text(file, text);
 }
 
 }  // namespace eerie::cli

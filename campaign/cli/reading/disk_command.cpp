@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "analysis/disk/disk_figure.hpp"
@@ -7,10 +5,9 @@
 #include "analysis/disk/roche.hpp"
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/disk_report.hpp"
-#include "campaign/cli/output/text_table.hpp"
 #include "campaign/cli/output/files.hpp"
+#include "campaign/queries/numbers.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
 namespace eerie::cli {
@@ -22,7 +19,6 @@ using eerie::disk::Nebula;
 using eerie::disk::Place;
 using eerie::disk::PublishedNumber;
 using eerie::disk::Stirrers;
-using nlohmann::json;
 
 struct DiskArguments {
   double r_au = 5, alpha = 1e-4, stirrer_radius_km = 2;
@@ -33,7 +29,6 @@ struct DiskArguments {
   std::string r_range = "1:100";
   fs::path folder;  ///< empty: nothing is drawn
   std::vector<std::string> formats = {"svg"};
-  bool json = false;
 
   Stirrers stirrers() const { return {solid_fraction, body.density}; }
 };
@@ -65,7 +60,7 @@ db::Range checked(const DiskArguments& a) {
   for (const Limit& l : limits) require(l.option, a.*l.value, l.low, l.high, l.example, l.unit);
   require("--radius", a.body.radius, 0.1, 1e6, 100, " m");
   require("--density", a.body.density, 100, 1e4, 2700, " kg/m^3");
-  const db::Range r = parse_range(a.r_range, "--r-range");
+  const db::Range r = queries::parse_range(a.r_range, "--r-range");
   require("--r-range (LO)", r.lo, nearest_au, farthest_au / 2, 1, " AU");
   if (r.hi < 2 * r.lo || r.hi > farthest_au)
     throw InputError(
@@ -113,7 +108,7 @@ void warn(const std::vector<Place>& places) {
                        p.t_s_omega_k, name(p.law))});
 }
 
-int disk_environment(const DiskArguments& a) {
+Answer disk_environment(const DiskArguments& a) {
   const db::Range r_au = checked(a);
   law_of(a);
   const Nebula nebula = disk::hayashi_nebula(a.r_au * disk::astronomical_unit);
@@ -124,31 +119,28 @@ int disk_environment(const DiskArguments& a) {
   const std::vector<fs::path> files =
       a.folder.empty() ? std::vector<fs::path>{} : write_all(a, r_au, numbers);
   warn(places);
-  if (a.json) {
-    json report = {
-        {"nebula", to_json(nebula)},
-        {"places", json::array()},
-        {"mu_d", mu_d},
-        {"displacement_over_radius", disk::displacement_over_radius(mu_d)},
-        {"displacement_over_radius_of_sphere", disk::displacement_over_radius_of_sphere(mu_d)},
-        {"roche_distance_in_radii", disk::roche_distance(a.b_over_a)},
-        {"paper", json::array()},
-        {"files", json::array()}};
-    for (const Place& p : places) report["places"].push_back(to_json(p));
-    for (const PublishedNumber& n : numbers) report["paper"].push_back(to_json(n));
-    for (const fs::path& file : files) report["files"].push_back(file.string());
-    fmt::print("{}\n", report.dump(1));
-    return static_cast<int>(ExitCode::done);
-  }
-  fmt::print("{}\n{}\n", nebula_line(nebula), place_table(a.r_au, question, places));
-  fmt::print(
-      "phi_d = {:g} deg: mu_d = {:.3g}, L/R_r ~ 1/mu_d = {:.3g} ({:.3g} for a sphere)\n"
-      "b/a = {:g}: tides deform it within {:.3g} radii of a body of its density\n\n{}",
-      a.phi_d_deg, mu_d, disk::displacement_over_radius(mu_d),
-      disk::displacement_over_radius_of_sphere(mu_d), a.b_over_a, disk::roche_distance(a.b_over_a),
-      published_table(numbers));
-  for (const fs::path& file : files) fmt::print("{}\n", file.string());
-  return static_cast<int>(ExitCode::done);
+  const double shift = disk::displacement_over_radius(mu_d);
+  const double of_sphere = disk::displacement_over_radius_of_sphere(mu_d);
+  const double roche = disk::roche_distance(a.b_over_a);
+  Table published = table_of_published(numbers);
+  Answer answer;
+  answer.data = {{"nebula", to_json(nebula)},
+                 {"places", records(table_of_places(places))},
+                 {"mu_d", mu_d},
+                 {"displacement_over_radius", shift},
+                 {"displacement_over_radius_of_sphere", of_sphere},
+                 {"roche_distance_in_radii", roche},
+                 {"paper", records(published)},
+                 {"files", names_of(files)}};
+  answer.add_text(nebula_line(nebula) + "\n");
+  answer.add(turned_table_of_places(a.r_au, question, places));
+  answer.say(
+      "\nphi_d = {:g} deg: mu_d = {:.3g}, L/R_r ~ 1/mu_d = {:.3g} ({:.3g} for a sphere)\n"
+      "b/a = {:g}: tides deform it within {:.3g} radii of a body of its density\n\n",
+      a.phi_d_deg, mu_d, shift, of_sphere, a.b_over_a, roche);
+  answer.add(std::move(published));
+  answer.add_files(files);
+  return answer;
 }
 
 }  // namespace
@@ -177,8 +169,8 @@ Action add_disk(CLI::App& app) {
       ->check(CLI::IsMember({"svg", "png", "pdf"}))
       ->allow_extra_args(false)
       ->capture_default_str();
-  add_json(app, a->json);
-  return [a] { return disk_environment(*a); };
+  add_formats(app);
+  return [a](Output&) { return disk_environment(*a); };
 }
 
 }  // namespace eerie::cli

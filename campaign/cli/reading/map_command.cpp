@@ -1,11 +1,6 @@
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
 #include "analysis/diagrams/map_quantity.hpp"
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/maps/map.hpp"
-#include "solver/base/error.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -14,23 +9,21 @@ struct MapArguments {
   std::filesystem::path database;
   maps::NamedMaps request;
   std::vector<std::string> quantities;
-  bool json = false;
 };
 
-int map(MapArguments& a) {
+Answer map(MapArguments& a) {
   maps::require_map_files(a.request.files, "-o");
   if (!a.quantities.empty()) a.request.quantities.clear();
   for (const std::string& token : a.quantities)
     a.request.quantities.push_back(diagrams::quantity_named(token));
   const db::Connection connection(a.database, db::Access::read);
-  nlohmann::json report = {{"pictures", nlohmann::json::array()},
-                           {"tables", nlohmann::json::array()}};
-  for (const auto& file : maps::draw_named_maps(connection, a.request)) {
-    report[file.extension() == ".csv" ? "tables" : "pictures"].push_back(file.string());
-    if (!a.json) fmt::print("{}\n", file.string());
-  }
-  if (a.json) fmt::print("{}\n", report.dump(1));
-  return static_cast<int>(ExitCode::done);
+  Answer answer;
+  answer.data = {{"pictures", Value::array()}, {"tables", Value::array()}};
+  const auto files = maps::draw_named_maps(connection, a.request);
+  for (const auto& file : files)
+    answer.data[file.extension() == ".csv" ? "tables" : "pictures"].push_back(file.string());
+  answer.add_files(files);
+  return answer;
 }
 
 }  // namespace
@@ -51,8 +44,8 @@ Action add_map(CLI::App& app) {
                  "picture: .png, .svg or .pdf, with its numbers beside it as .csv; or .csv alone; "
                  "may be repeated")
       ->required();
-  add_json(app, a->json);
-  return [a] { return map(*a); };
+  add_formats(app);
+  return [a](Output&) { return map(*a); };
 }
 
 }  // namespace eerie::cli

@@ -1,15 +1,10 @@
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
+#include <array>
 
 #include "campaign/cli/options/command_list.hpp"
-#include "campaign/cli/options/filters.hpp"
-#include "campaign/cli/output/results_table.hpp"
-#include "campaign/cli/output/view_text.hpp"
 #include "campaign/cli/output/files.hpp"
+#include "campaign/results/results_table.hpp"
+#include "campaign/results/view_tables.hpp"
 #include "db/store/bind.hpp"
-#include "solver/base/error.hpp"
-#include "solver/base/file.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -18,16 +13,15 @@ namespace fs = std::filesystem;
 struct QueryArguments {
   fs::path database;
   std::string of = "results";
-  FilterArguments filter;
+  queries::Filter filter;
   std::string columns, sort;  ///< names with commas; empty: all, the view's own order
   std::optional<std::int64_t> limit;
   std::string format;  ///< empty: by the file's extension, else table
   fs::path file;       ///< empty: standard output
-  bool json = false;
 };
 
-std::string format_of(const QueryArguments& a) {
-  if (a.json) return "json";
+std::string format_of(const QueryArguments& a, const Output& out) {
+  if (out.format == Format::json) return "json";
   if (!a.format.empty()) return a.format;
   if (a.file.empty() || a.file.extension() == ".txt") return "table";
   const std::string extension = a.file.extension().string();
@@ -37,41 +31,45 @@ std::string format_of(const QueryArguments& a) {
                   a.file.string()));
 }
 
-std::string text_of(const db::Connection& connection, const db::ViewQuery& query,
-                    const std::string& format) {
+Answer answer_of(const db::Connection& connection, const db::ViewQuery& query, bool with_meanings) {
   const db::ViewRows rows = db::rows(connection, query);
+  Answer answer;
   if (rows.rows.empty()) {
     constexpr std::array one_row = {"result", "remnant", "point"};
-    const std::string database = connection.path().string();
-    fmt::print(stderr, "no {} in {} matches; `eerie status --db {}` shows what it holds\n",
-               one_row.at(static_cast<std::size_t>(query.view)), database, database);
+    complain(line("no {} in {} matches; `eerie status --db {}` shows what it holds",
+                  one_row.at(static_cast<std::size_t>(query.view)), connection.path(),
+                  connection.path()));
   }
-  if (format == "csv") return csv(rows);
-  if (format == "json") return records(rows).dump(1) + "\n";
-  if (format == "json-table") return described(rows).dump(1) + "\n";
-  if (!query.columns.empty()) return plain_table(rows);
-  return query.view == db::View::results ? results_table(db::selected_results(connection, query))
-                                         : short_table(rows);
+  Table table = query.columns.empty() ? results::short_table(rows) : results::plain_table(rows);
+  answer.data = with_meanings ? results::described(rows) : records(table);
+  answer.add(std::move(table));
+  if (query.columns.empty() && query.view == db::View::results) {
+    const std::vector<db::ResultRow> results = db::selected_results(connection, query);
+    answer.add(results::results_table(results), results::legend_of(results));
+  }
+  return answer;
 }
 
-int query(const QueryArguments& a) {
-  const std::string format = format_of(a);
+Answer query(const QueryArguments& a, Output& out) {
+  const std::string name = format_of(a, out);
   const db::Connection connection(a.database, db::Access::read);
   const auto view = db::enumerator<db::View>(db::view_names, a.of);
-  db::ViewQuery wanted = filtered(connection, view, a.filter);
+  db::ViewQuery wanted = queries::filtered(connection, view, a.filter);
   const std::vector<db::ViewColumn> known = db::columns(connection, view);
-  wanted.columns = parse_columns(a.columns, view, known);
-  wanted.sort = parse_sort(a.sort, view, known);
+  wanted.columns = queries::parse_columns(a.columns, view, known);
+  wanted.sort = queries::parse_sort(a.sort, view, known);
   wanted.limit = a.limit;
-  const std::string text = text_of(connection, wanted, format);
-  if (a.file.empty()) {
-    fmt::print("{}", text);
-  } else {
-    make_folder_of(a.file);
-    install_text(a.file, text);
-    fmt::print("{}\n", a.file.string());
-  }
-  return static_cast<int>(ExitCode::done);
+  Answer answer = answer_of(connection, wanted, name == "json-table");
+  const Format format = name == "csv"     ? Format::csv
+                        : name == "table" ? Format::people
+                                          : Format::json;
+  const bool to_file = !a.file.empty();
+  if (out.format != Format::nothing) out.format = to_file ? Format::people : format;
+  if (!to_file) return answer;
+  install(a.file, rendered(answer, format, 0));
+  Answer installed;
+  installed.add_files({a.file});
+  return installed;
 }
 
 }  // namespace
@@ -92,8 +90,8 @@ Action add_query(CLI::App& app) {
                  "default: as the file is called, else table")
       ->check(CLI::IsMember({"table", "csv", "json", "json-table"}));
   app.add_option("-o,--output", a->file, "write into this file");
-  add_json(app, a->json);
-  return [a] { return query(*a); };
+  add_formats(app);
+  return [a](Output& out) { return query(*a, out); };
 }
 
 }  // namespace eerie::cli

@@ -1,19 +1,13 @@
-#include <fmt/format.h>
 #include <spdlog/spdlog.h>
-
-#include <cstdio>
 
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/options/scheduler_options.hpp"
-#include "campaign/cli/output/progress_line.hpp"
 #include "campaign/cli/output/files.hpp"
 #include "campaign/job_folder/provenance.hpp"
 #include "campaign/manager/local_processes.hpp"
 #include "campaign/manager/status_file.hpp"
 #include "campaign/process/notify.hpp"
 #include "campaign/process/signals.hpp"
-#include "db/store/lock.hpp"
-#include "solver/base/error.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -25,54 +19,39 @@ struct DaemonArguments {
   bool until_idle = false;
 };
 
-/// A database needs some room to be opened at all. False: a stop was asked for first.
-bool wait_for_room(const std::filesystem::path& folder) {
-  constexpr std::uintmax_t least = 1 << 16;
-  manager::DiskGuard guard({folder}, least);
-  for (bool told = false; process::stop_requests() == 0; told = true) {
-    const auto complaint = guard.complaint(manager::DiskGuard::Clock::now());
-    if (!complaint) return true;
-    if (!told) fmt::print(stderr, "waiting: {}\n", *complaint);
-    process::wait_for_signal(std::chrono::seconds(1));
-  }
-  return false;
-}
-
-int daemon(const DaemonArguments& a) {
+Answer daemon(const DaemonArguments& a, Output& out) {
   require_consistent(a.engine);
   process::catch_stop_signals();
   process::hold_signals();
   make_folder_of(a.database);
-  if (!wait_for_room(std::filesystem::absolute(a.database).parent_path()))
-    return static_cast<int>(ExitCode::done);
-  const db::Lock lock(a.database);
-  db::Connection connection(a.database, db::Access::write);
-  if (!a.engine.jobs_dir.empty()) job_folder::choose_job_folder(connection, a.engine.jobs_dir);
+  constexpr std::uintmax_t least = 1 << 16;  // a database needs some to be opened at all
+  if (!manager::wait_for_room(std::filesystem::absolute(a.database).parent_path(), least, complain))
+    return {};
+  HeldDatabase held(a.database, a.engine);
   open_manager_log(a.database, true);
 
   const auto threads = static_cast<std::size_t>(a.threads_per_job);
   const std::size_t workers = a.workers > 0
                                   ? static_cast<std::size_t>(a.workers)
                                   : std::max<std::size_t>(1, manager::usable_cores() / threads);
-  const auto scheduler = make_scheduler(a.engine, connection, workers, a.threads_per_job);
+  const auto scheduler = make_scheduler(a.engine, held.connection, workers, a.threads_per_job);
   manager::ManagerOptions options = manager_options(a.engine);
   options.stays = !a.until_idle;
-  manager::Manager manager(connection, *scheduler, options);
+  manager::Manager manager(held.connection, *scheduler, options);
 
   const job_folder::Provenance source = job_folder::provenance();
   spdlog::info("event=daemon version={} commit={} pid={} database={} scheduler={} workers={}",
                source.version, source.commit, ::getpid(), a.database.string(), a.engine.scheduler,
                a.engine.is_local() ? fmt::format("{}", workers) : "-");
-  fmt::print("working on {}; `eerie submit SWEEP --db {}` gives it work, Ctrl-C ends it\n",
-             a.database.string(), a.database.string());
-  std::fflush(stdout);
+  out.say("working on {}; `eerie submit SWEEP --db {}` gives it work, Ctrl-C ends it\n", a.database,
+          a.database);
   process::notify_service_manager("READY=1");
   manager::StatusFile status(a.database);
   manager.run(process::stop_requests,
               [&](const manager::CampaignView& view) { status.show(view); });
   process::notify_service_manager("STOPPING=1");
   spdlog::info("event=daemon-ends");
-  return static_cast<int>(ExitCode::done);
+  return {};
 }
 
 }  // namespace
@@ -87,7 +66,8 @@ Action add_daemon(CLI::App& app) {
       ->capture_default_str();
   add_engine(app, a->engine);
   app.add_flag("--until-idle", a->until_idle, "end when nothing is left to do");
-  return [a] { return daemon(*a); };
+  app.add_flag("--quiet")->description("print nothing but complaints");
+  return [a](Output& out) { return daemon(*a, out); };
 }
 
 }  // namespace eerie::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "campaign/text/table.hpp"
+#include "db/jobs/rows.hpp"
+#include "db/store/connection.hpp"
+
+namespace eerie::results {
+
+/// The attempts at a job, for programs and for people.
+text::Table table_of_attempts(const std::vector<db::AttemptRow>& attempts);
+
+/// All that is known of a job: {"hash", "state", "wanted", "priority", "crashes", "wall_limit_s",
+/// "sweeps", "scene", "progress", "result", "failure", "attempts", "directory", "files": [{"path",
+/// "bytes"}]}; null where there is nothing.
+nlohmann::json job_report(const db::Connection& connection, const db::Job& job);
+
+}  // namespace eerie::results
