@@ -44,7 +44,7 @@ run::RunOptions Watch::options(int threads, long max_steps,
   run::RunOptions options;
   options.directory = folder_.path;
   options.threads = threads;
-  options.max_steps = max_steps;
+  options.max_steps = options.max_settling_steps = max_steps;
   options.on_progress = std::move(on_progress);
   options.on_history = [this](const io::Snapshot& snapshot, const step::Totals& start) {
     history_.add({full_row(snapshot, start)});

@@ -50,9 +50,12 @@ std::string read_file(const fs::path& path) {
     throw EnvironmentError(fmt::format("cannot read {}: it is a folder", path.string()));
   std::ifstream in(path, std::ios::binary);
   if (!in) fail("read", path);
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (in.bad()) fail("read", path);
-  return text;
+  try {
+    std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    if (!in.bad()) return text;
+  } catch (const std::ios_base::failure&) {  // the disk's own trouble
+  }
+  fail("read", path);
 }
 
 void install_file(const fs::path& path, const std::function<void(const fs::path&)>& write,

@@ -45,6 +45,10 @@ particles::State at_rest(const Scene& scene, particles::Body body, double radius
   return s;
 }
 
+double radius_of(const Scene& scene, particles::Body body) {
+  return body == particles::Body::target ? scene.target.radius_m : impactor_radius(scene);
+}
+
 /// The orders of memory differ from body to body; ids put them back.
 particles::State sorted_by_id(particles::State s) {
   std::vector<std::uint32_t> place(s.size());
@@ -70,36 +74,47 @@ void append(particles::State& all, const particles::State& body, const Vec3& x, 
 
 /// Points of a packing with the density of equilibrium, before they settle.
 particles::State unsettled_body(const Scene& scene, particles::Body body) {
-  const bool is_target = body == particles::Body::target;
-  return at_rest(scene, body, is_target ? scene.target.radius_m : impactor_radius(scene),
-                 static_cast<std::size_t>(is_target ? scene.numerics.particles_per_target
-                                                    : impactor_particles(scene)));
+  const long n = body == particles::Body::target ? scene.numerics.particles_per_target
+                                                 : impactor_particles(scene);
+  return at_rest(scene, body, radius_of(scene, body), static_cast<std::size_t>(n));
 }
 
 }  // namespace
 
-particles::State make_body(const Scene& scene, particles::Body body) {
-  const bool is_target = body == particles::Body::target;
-  const double radius = is_target ? scene.target.radius_m : impactor_radius(scene);
-  step::Solver solver(scene, unsettled_body(scene, body));
-  const double still = settled_fraction * escape_speed({radius, scene.material.rho0_kg_per_m3});
-  const double crossing = radius / material::make_material(scene).longitudinal_speed();
-  double time = 0;
+Settling::Settling(const Scene& scene, particles::Body body)
+    : Settling(scene, body, step::Solver(scene, unsettled_body(scene, body))) {}
+
+Settling::Settling(const Scene& scene, particles::Body body, step::Solver begun)
+    : scene_(scene),
+      body_(body),
+      radius_(radius_of(scene, body)),
+      crossing_(radius_ / material::make_material(scene).longitudinal_speed()),
+      solver_(std::move(begun)) {}
+
+bool Settling::is_at_rest() const {
   // At least a few damping times: at the very start nothing has moved yet.
-  while (time < 10 * crossing || rms_speed(solver.state()) > still) {
-    if (time > patience_crossings * crossing)
-      throw NumericalError(
-          "unsettled-body", solver.state().step, -1,
-          fmt::format("the {} does not come to rest: after {:.0f} s its particles "
-                      "still move at {:.2g} m/s; raise numerics.particles_per_target "
-                      "or set numerics.h_over_spacing nearer to 1.2",
-                      is_target ? "target" : "impactor", time, rms_speed(solver.state())));
-    solver.cycle(solver.state().time + 1e9);
-    const double advanced = solver.state().time - time;
-    time = solver.state().time;
-    solver.damp(std::exp(-advanced / (damping_crossings * crossing)));
-  }
-  particles::State s = sorted_by_id(solver.state());
+  if (solver_.state().time < 10 * crossing_) return false;
+  const double v_esc = escape_speed({radius_, scene_.material.rho0_kg_per_m3});
+  return rms_speed(solver_.state()) <= settled_fraction * v_esc;
+}
+
+void Settling::cycle() {
+  const double time = solver_.state().time;
+  if (time > patience_crossings * crossing_)
+    throw NumericalError(
+        "unsettled-body", solver_.state().step, -1,
+        fmt::format("the {} does not come to rest: after {:.0f} s its particles "
+                    "still move at {:.2g} m/s; raise numerics.particles_per_target "
+                    "or set numerics.h_over_spacing nearer to 1.2",
+                    body_ == particles::Body::target ? "target" : "impactor", time,
+                    rms_speed(solver_.state())));
+  solver_.cycle(time + 1e9);
+  const double advanced = solver_.state().time - time;
+  solver_.damp(std::exp(-advanced / (damping_crossings * crossing_)));
+}
+
+particles::State Settling::body() const {
+  particles::State s = sorted_by_id(solver_.state());
   Vec3 centre;
   for (const Vec3& x : s.x) centre += x;
   for (Vec3& x : s.x) x -= centre / static_cast<double>(s.size());
@@ -111,19 +126,37 @@ particles::State make_body(const Scene& scene, particles::Body body) {
   return s;
 }
 
+particles::State make_body(const Scene& scene, particles::Body body) {
+  Settling settling(scene, body);
+  while (!settling.is_at_rest()) settling.cycle();
+  return settling.body();
+}
+
 namespace {
+
+RelativeOrbit start_of(const Scene& scene) {
+  const double contact = contact_distance(scene);
+  const double mu = newton_G * target_mass(scene) * (1 + scene.impact.q);
+  return orbit_before_contact(orbit_at_contact(contact, scene.impact.v_imp_cm_per_s / 100,
+                                               radians(scene.impact.theta_imp_deg)),
+                              mu, contact * scene.impact.separation);
+}
 
 /// make(scene, body) makes each of the two, once the orbit is known to exist.
 template <class Make>
-particles::State on_their_orbit(const Scene& scene, Make&& make) {
-  const double contact = contact_distance(scene), q = scene.impact.q;
-  const double mu = newton_G * target_mass(scene) * (1 + q);
-  const RelativeOrbit start =
-      orbit_before_contact(orbit_at_contact(contact, scene.impact.v_imp_cm_per_s / 100,
-                                            radians(scene.impact.theta_imp_deg)),
-                           mu, contact * scene.impact.separation);
-  const particles::State target = make(scene, particles::Body::target),
-                         impactor = make(scene, particles::Body::impactor);
+particles::State made_on_orbit(const Scene& scene, Make&& make) {
+  require_orbit(scene);
+  return on_their_orbit(scene, make(scene, particles::Body::target),
+                        make(scene, particles::Body::impactor));
+}
+
+}  // namespace
+
+void require_orbit(const Scene& scene) { start_of(scene); }
+
+particles::State on_their_orbit(const Scene& scene, const particles::State& target,
+                                const particles::State& impactor) {
+  const RelativeOrbit start = start_of(scene);
   // Shares of the masses that the particles really make up, so that momentum is zero.
   const double share =
       static_cast<double>(impactor.size()) / static_cast<double>(target.size() + impactor.size());
@@ -135,12 +168,10 @@ particles::State on_their_orbit(const Scene& scene, Make&& make) {
   return all;
 }
 
-}  // namespace
-
-particles::State make_impact(const Scene& scene) { return on_their_orbit(scene, make_body); }
+particles::State make_impact(const Scene& scene) { return made_on_orbit(scene, make_body); }
 
 particles::State make_unsettled_impact(const Scene& scene) {
-  return on_their_orbit(scene, unsettled_body);
+  return made_on_orbit(scene, unsettled_body);
 }
 
 }  // namespace eerie::initial

@@ -22,6 +22,25 @@ std::string obstacle(const io::Snapshot& saved, const Scene& scene) {
 
 }  // namespace
 
+fs::path snapshot_path(const fs::path& directory, long number) {
+  return directory / fmt::format("snapshot_{:04d}.hdf5", number);
+}
+
+std::optional<io::Snapshot> usable_checkpoint(const fs::path& path, const Scene& scene,
+                                              const std::function<void(const std::string&)>& note) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return std::nullopt;
+  try {
+    io::Snapshot saved = io::read_snapshot(path);
+    const std::string reason = obstacle(saved, scene);
+    if (reason.empty()) return saved;
+    note(fmt::format("{} {}: passed over", path.string(), reason));
+  } catch (const InputError& error) {
+    note(fmt::format("{}: passed over", error.what()));
+  }
+  return std::nullopt;
+}
+
 void install_checkpoint(const fs::path& directory, const io::Snapshot& checkpoint) {
   io::write_snapshot(directory / checkpoint_file, checkpoint, directory / previous_checkpoint_file);
 }
@@ -29,19 +48,11 @@ void install_checkpoint(const fs::path& directory, const io::Snapshot& checkpoin
 std::optional<io::Snapshot> newest_checkpoint(const fs::path& directory, const Scene& scene,
                                               const std::function<void(const std::string&)>& note) {
   for (const std::string name : {final_file, checkpoint_file, previous_checkpoint_file}) {
-    const fs::path path = directory / name;
-    if (!fs::exists(path)) continue;
-    try {
-      io::Snapshot saved = io::read_snapshot(path);
-      if (const std::string reason = obstacle(saved, scene); !reason.empty()) {
-        note(fmt::format("{} {}: passed over", path.string(), reason));
-        continue;
-      }
-      if (name == previous_checkpoint_file) replace_file(path, directory / checkpoint_file);
-      return saved;
-    } catch (const InputError& error) {
-      note(fmt::format("{}: passed over", error.what()));
-    }
+    auto saved = usable_checkpoint(directory / name, scene, note);
+    if (!saved) continue;
+    if (name == previous_checkpoint_file)
+      replace_file(directory / name, directory / checkpoint_file);
+    return saved;
   }
   return {};
 }

@@ -13,6 +13,13 @@ inline constexpr const char* checkpoint_file = "checkpoint.hdf5";
 inline constexpr const char* previous_checkpoint_file = "checkpoint_previous.hdf5";
 inline constexpr const char* final_file = "final.hdf5";
 
+std::filesystem::path snapshot_path(const std::filesystem::path& directory, long number);
+
+/// A file's state, where it is whole and a run of this very scene by this solver version can go on
+/// from it; else `note` is told why not. Nothing, without a note, where there is no such file.
+std::optional<io::Snapshot> usable_checkpoint(const std::filesystem::path& path, const Scene& scene,
+                                              const std::function<void(const std::string&)>& note);
+
 /// Installs checkpoint.hdf5 and keeps the former one as checkpoint_previous.hdf5. At every instant
 /// one of the two is whole: the former one moves on after the new one is on the disk.
 void install_checkpoint(const std::filesystem::path& directory, const io::Snapshot& checkpoint);

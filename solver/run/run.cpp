@@ -9,7 +9,7 @@
 #include <string>
 
 #include "solver/base/error.hpp"
-#include "solver/initial/bodies.hpp"
+#include "solver/run/beginning.hpp"
 #include "solver/run/checkpoints.hpp"
 #include "solver/step/late.hpp"
 #include "solver/step/solver.hpp"
@@ -20,10 +20,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* last_good_file = "last_good.hdf5";
-
-fs::path numbered(const fs::path& directory, long n) {
-  return directory / fmt::format("snapshot_{:04d}.hdf5", n);
-}
 
 using Clock = std::chrono::steady_clock;
 
@@ -84,52 +80,6 @@ class Ending {
  private:
   Scene::End end_;
   const std::function<bool(const io::Snapshot&)>& will_meet_;
-};
-
-/// What a run begins with.
-struct Beginning {
-  step::Solver solver;
-  step::Totals first;  ///< at time 0
-};
-
-/// Makes the bodies of a scene, or goes on from a checkpoint.
-class Begin {
- public:
-  Begin(const Scene& scene, const RunOptions& options) : scene_(scene), options_(options) {}
-
-  Beginning operator()() const {
-    const auto to_log = [this](const std::string& text) { note(text); };
-    if (auto saved = newest_checkpoint(options_.directory, scene_, to_log)) {
-      const step::Totals first = initial_totals();
-      note(
-          fmt::format("going on from t = {:.0f} s, step {}", saved->state.time, saved->state.step));
-      return {step::Solver(scene_, std::move(saved->state), std::move(*saved->rates),
-                           *saved->restart, std::move(saved->pressure)),
-              first};
-    }
-    step::Solver solver(scene_, initial::make_impact(scene_));
-    const step::Totals first = step::totals(scene_, solver.state());
-    io::write_snapshot(numbered(options_.directory, 0),
-                       {scene_, solver.state(), solver.pressure(), {}, {}});
-    return {std::move(solver), first};
-  }
-
- private:
-  /// Of time 0, from the first snapshot or, where that is lost, from making the bodies again.
-  step::Totals initial_totals() const {
-    try {
-      return step::totals(scene_, io::read_snapshot(numbered(options_.directory, 0)).state);
-    } catch (const std::exception& error) {
-      note(fmt::format("{}; making the initial bodies again", error.what()));
-      return step::totals(scene_, step::Solver(scene_, initial::make_impact(scene_)).state());
-    }
-  }
-  void note(const std::string& text) const {
-    if (options_.on_note) options_.on_note(text);
-  }
-
-  const Scene& scene_;
-  const RunOptions& options_;
 };
 
 class Run {
@@ -251,7 +201,7 @@ class Run {
     const StageTimer timer(solver_.stages(), Stage::output);
     const double time = solver_.state().time;
     if (snapshots_.pass(time) && !over_)
-      io::write_snapshot(numbered(options_.directory, snapshots_.count()), snapshot());
+      io::write_snapshot(snapshot_path(options_.directory, snapshots_.count()), snapshot());
     if (histories_.pass(time)) {
       last_good_ = checkpoint();
       if (options_.on_history) options_.on_history(snapshot(), first_totals_);
@@ -289,6 +239,23 @@ class Run {
   std::optional<EndReason> over_;
 };
 
+/// Of a run that did not begin.
+RunSummary summary_of(NotBegun stopped, const Scene& scene, const RunOptions& options) {
+  RunSummary summary;
+  summary.end = stopped.end;
+  summary.first_totals = summary.last_totals = step::totals(scene, stopped.last.state);
+  const particles::State& s = stopped.last.state;
+  summary.progress.time = s.time, summary.progress.end_time = scene.end.time_s;
+  summary.progress.step = s.step;
+  summary.progress.particle_steps = static_cast<double>(s.step) * static_cast<double>(s.size());
+  summary.threads = options.threads;
+  summary.last = std::move(stopped.last);
+  if (options.on_note && s.step == 0)
+    options.on_note(
+        fmt::format("stopped after {} steps of the bodies on their way to rest", stopped.steps));
+  return summary;
+}
+
 }  // namespace
 
 RunSummary run_impact(const Scene& scene, const RunOptions& options) {
@@ -298,7 +265,10 @@ RunSummary run_impact(const Scene& scene, const RunOptions& options) {
   if (error)
     throw EnvironmentError(
         fmt::format("cannot make the folder {}: {}", options.directory.string(), error.message()));
-  return Run(scene, options, Begin(scene, options)()).go();
+  auto beginning = begin(scene, options);
+  if (auto* stopped = std::get_if<NotBegun>(&beginning))
+    return summary_of(std::move(*stopped), scene, options);
+  return Run(scene, options, std::get<Beginning>(std::move(beginning))).go();
 }
 
 }  // namespace eerie::run

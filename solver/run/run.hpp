@@ -70,6 +70,8 @@ struct RunOptions {
   std::filesystem::path directory;  ///< checkpoint, snapshots and final state are installed here
   int threads = 1;
   long max_steps = 0;  ///< of this process, rounded up to whole cycles; 0: until the end time
+  /// Of bodies on their way to rest, of this process; 0: as many as they need.
+  long max_settling_steps = 0;
   std::function<void(const Progress&)> on_progress;  ///< after every cycle of steps; must be cheap
   /// Every output.history_interval_s, with the totals at time 0.
   std::function<void(const io::Snapshot&, const step::Totals& first)> on_history;
@@ -77,12 +79,14 @@ struct RunOptions {
   std::function<LookAnswer(const io::Snapshot&, const LookQuestion&)> look;
   /// Whether remnants will meet; asked from end.time_s on where end.latest_s is later.
   std::function<bool(const io::Snapshot&)> will_meet;
-  std::function<bool()> stop;  ///< asked after every cycle; true: checkpoint and return
+  /// Asked after every cycle, those of settling bodies included; true: checkpoint and return.
+  std::function<bool()> stop;
   std::function<void(const std::string&)> on_note;  ///< a sentence for the log
 };
 
 /// Makes the bodies of `scene` and lets them collide, or goes on from the newest checkpoint in
-/// `directory` that holds the same scene and solver version (step/checkpoints.hpp).
+/// `directory` that holds the same scene and solver version (run/checkpoints.hpp). One that is
+/// stopped while its bodies come to rest is at time 0 and step 0, and goes on with them too.
 /// snapshot_0000.hdf5 is the state at time 0; final.hdf5 the last one, itself a checkpoint. The
 /// same scene gives the same bits for any number of threads and of interruptions. Throws
 /// NumericalError, after last_good.hdf5 has been written: a checkpoint of the last history row

@@ -103,9 +103,10 @@ TEST(Run, EveryOptionalLawKeepsItsBitsOverInterruptionsAndThreads) {
 TEST(Run, StoppedByItsCallerEndsWithTheSameBits) {
   const Scene scene = short_impact();
   const TemporaryFolder folder;
-  int asked = 0;
+  int cycles = 0;
   RunOptions stopping;
-  stopping.stop = [&] { return ++asked > 13; };
+  stopping.on_progress = [&](const Progress&) { ++cycles; };
+  stopping.stop = [&] { return cycles > 13; };
   EXPECT_EQ(run_in(folder, scene, stopping).summary.end, RunEnd::stopped);
   const auto told = run_in(folder, scene);
   EXPECT_EQ(told.summary.end, RunEnd::finished);
