@@ -1,9 +1,14 @@
 #include "campaign/job_folder/job_directory.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "campaign/text/json_file.hpp"
 #include "db/store/settings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
@@ -21,16 +26,59 @@ JobFolder job_folder(const db::Connection& connection) {
   return {fs::path(connection.path().string() + ".jobs")};
 }
 
+void require_usable(const fs::path& root) {
+  std::error_code problem;
+  fs::create_directories(root, problem);
+  if (problem)
+    throw EnvironmentError(fmt::format("the folder of job directories {} cannot be made: {}",
+                                       root.string(), problem.message()));
+  const fs::path probe = root / fmt::format(".probe.{}.tmp", ::getpid());
+  const int descriptor = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  const int reason = errno;
+  if (descriptor >= 0) {
+    ::close(descriptor);
+    ::unlink(probe.c_str());
+    return;
+  }
+  const std::string text = fmt::format("the folder of job directories {} cannot be written to: {}",
+                                       root.string(), std::strerror(reason));
+  if (reason == ENOSPC || reason == EDQUOT) throw DiskFullError(text);
+  throw EnvironmentError(text);
+}
+
+void require_usable(const JobDirectory& directory) {
+  std::error_code problem;
+  fs::create_directories(directory.path, problem);
+  if (problem)
+    throw EnvironmentError(fmt::format("the job directory {} cannot be made: {}",
+                                       directory.path.string(), problem.message()));
+  for (const fs::path& file :
+       {directory.scene(), directory.worker_lock(), directory.log(), directory.heartbeat(),
+        directory.progress(), directory.result(), directory.failure(), directory.ended(),
+        directory.stop(), directory.history(), directory.remnants()})
+    if (const auto type = fs::status(file, problem).type();
+        type != fs::file_type::not_found && type != fs::file_type::regular)
+      throw EnvironmentError(
+          fmt::format("{} is in the way: it is no file; remove it", file.string()));
+}
+
 void choose_job_folder(db::Connection& connection, const fs::path& root) {
   const fs::path chosen = fs::absolute(root).lexically_normal();
   const fs::path present = fs::absolute(job_folder(connection).root).lexically_normal();
   if (chosen == present) return;
   std::error_code ignored;
+  if (fs::equivalent(chosen, present, ignored)) return;
   if (fs::exists(present, ignored) && !fs::is_empty(present, ignored))
     throw InputError(fmt::format(
         "--jobs-dir = {}: the job directories of {} lie in {}; leave the option out, or move them "
         "and change the row 'jobs_folder' of the table settings",
         root.string(), connection.path().string(), present.string()));
+  try {
+    require_usable(chosen);
+  } catch (const EnvironmentError& error) {
+    throw InputError(
+        fmt::format("--jobs-dir {}: {}; give another folder", root.string(), error.what()));
+  }
   db::set(connection, folder_key, chosen.string());
 }
 
@@ -111,11 +159,9 @@ std::optional<json> read_json(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return std::nullopt;
   try {
-    json document = json::parse(read_file(path), nullptr, false);
-    if (document.is_discarded()) return std::nullopt;
-    return document;
-  } catch (const EnvironmentError&) {
-    return std::nullopt;  // removed since, or a slip of a network file system
+    return text::load_json(path);
+  } catch (const InputError&) {
+    return std::nullopt;  // foreign, removed since, or a slip of a network file system
   }
 }
 

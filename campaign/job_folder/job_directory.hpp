@@ -42,8 +42,17 @@ struct JobFolder {
 /// The folder that the database names, or "<database>.jobs".
 JobFolder job_folder(const db::Connection& connection);
 
+/// Makes the folder and tries to write in it. Throws EnvironmentError that says why it cannot be
+/// used; DiskFullError where it has no room.
+void require_usable(const std::filesystem::path& root);
+
+/// Makes the directory and sees that what manager and worker open in it are files. Throws
+/// EnvironmentError that names what is in the way.
+void require_usable(const JobDirectory& directory);
+
 /// Lets the job directories of a database lie in `root`, which may be on another file system than
-/// the database. Throws InputError where they lie elsewhere already.
+/// the database; tried before it is stored. Throws InputError where they lie elsewhere already, or
+/// where the folder cannot be used.
 void choose_job_folder(db::Connection& connection, const std::filesystem::path& root);
 
 /// What a running worker says of itself about once a second.

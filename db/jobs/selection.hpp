@@ -26,6 +26,10 @@ struct Selection {
   }
 };
 
+/// Throws InputError for hashes that are none, and numbers that are not finite or in no order: an
+/// empty hash, say, would mean every job.
+void require_usable(const Selection& selection);
+
 /// " AND ..." for a statement over `jobs`, and its parameters.
 std::string conditions(const Selection& selection);
 void bind_conditions(SQLite::Statement& statement, const Selection& selection);

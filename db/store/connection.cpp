@@ -8,9 +8,12 @@
 #include <sqlite3.h>
 #include <sys/statvfs.h>
 
-#include "db/store/migrations.hpp"
+#include <cstdio>
+
 #include "db/store/error.hpp"
 #include "db/store/file_system.hpp"
+#include "db/store/migrations.hpp"
+#include "db/store/without_log.hpp"
 
 namespace eerie::db {
 namespace fs = std::filesystem;
@@ -46,24 +49,29 @@ bool has_little_room(const fs::path& path) {
          static_cast<unsigned long long>(info.f_bavail) * info.f_frsize < little;
 }
 
+[[noreturn]] void rethrow(const fs::path& path, const SQLite::Exception& error) {
+  const int code = error.getErrorCode();
+  const std::string text =
+      fmt::format("database {}: {}{}", path.string(), error.what(), mend(code));
+  // Where the index of the write-ahead log finds no room SQLite speaks of an I/O error.
+  if (code == SQLITE_FULL || (code == SQLITE_IOERR && has_little_room(path))) throw FullError(text);
+  if (code == SQLITE_BUSY) throw BusyError(text);
+  for (const int temporary : {SQLITE_IOERR, SQLITE_READONLY, SQLITE_CANTOPEN, SQLITE_PERM,
+                              SQLITE_NOMEM, SQLITE_PROTOCOL, SQLITE_LOCKED})
+    if (code == temporary) throw TemporaryError(text);
+  throw Error(text);
+}
+
 void translated(const fs::path& path, const std::function<void()>& body) {
   try {
     body();
   } catch (const SQLite::Exception& error) {
-    const std::string text =
-        fmt::format("database {}: {}{}", path.string(), error.what(), mend(error.getErrorCode()));
-    // Where the index of the write-ahead log finds no room SQLite speaks of an I/O error.
-    if (error.getErrorCode() == SQLITE_FULL ||
-        (error.getErrorCode() == SQLITE_IOERR && has_little_room(path)))
-      throw FullError(text);
-    throw Error(text);
+    rethrow(path, error);
   }
 }
 
 void require_openable(const fs::path& path, Access access) {
   std::error_code ignored;
-  if (fs::is_directory(path, ignored))
-    throw Error(fmt::format("database {}: it is a folder; give a file to --db", path.string()));
   if (access != Access::write && !fs::exists(path, ignored))
     throw Error(
         fmt::format("database {}: there is no such file; `eerie run SWEEP --db {}` makes it",
@@ -71,27 +79,67 @@ void require_openable(const fs::path& path, Access access) {
   require_local_disk(path);
 }
 
+bool lacks_room_for_log(const SQLite::Exception& error) {
+  return error.getErrorCode() == SQLITE_CANTOPEN || error.getErrorCode() == SQLITE_READONLY;
+}
+
+/// Once in a process, for whoever reads the answer.
+void say_what_is_read(const fs::path& path) {
+  static const bool once = [&] {
+    const std::string text = fmt::format(
+        "note: {} lies where this user cannot write: it is read as it is now, and what a manager "
+        "writes meanwhile is not seen\n",
+        path.string());
+    std::fputs(text.c_str(), stderr);
+    return true;
+  }();
+  static_cast<void>(once);
+}
+
 }  // namespace
 
-Connection::Connection(fs::path path, Access access) : path_(std::move(path)) {
+Connection::Connection(fs::path path, Access access) : path_(resolved(path)) {
   require_openable(path_, access);
   translated(path_, [&] {
-    const int flags = access == Access::write ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE
-                                              : SQLite::OPEN_READONLY;
-    database_ = std::make_unique<SQLite::Database>(path_.string(), flags, busy_timeout_ms);
-    require_ours(*database_, path_.string());
-    if (access == Access::write) {
-      // synchronous = FULL: a row that was committed outlives a power cut, also in WAL mode.
-      database_->exec(
-          "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
-      migrate(*database_);
-    } else if (access == Access::read) {
-      require_current(*database_, path_.string());
+    try {
+      open(access);
+    } catch (const SQLite::Exception& error) {
+      if (access == Access::write || !lacks_room_for_log(error)) throw;
+      database_.reset();
+      without_log_ = std::make_unique<WithoutLog>(path_);
+      database_ = without_log_->database();
+      require_ours(*database_, path_.string());
+      say_what_is_read(path_);
     }
+    if (access == Access::read) require_current(*database_, path_.string());
   });
+  identity_ = identity(path_);
+}
+
+void Connection::open(Access access) {
+  const int flags = access == Access::write ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE
+                                            : SQLite::OPEN_READONLY;
+  database_ = std::make_unique<SQLite::Database>(path_.string(), flags, busy_timeout_ms);
+  require_ours(*database_, path_.string());
+  if (access != Access::write) return;
+  // synchronous = FULL: a row that was committed outlives a power cut, also in WAL mode.
+  database_->exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
+  migrate(*database_);
 }
 
 Connection::~Connection() = default;
+
+void Connection::wait_at_most(std::chrono::milliseconds patience) {
+  database_->setBusyTimeout(static_cast<int>(patience.count()));
+}
+
+void Connection::require_in_place() const {
+  if (identity(path_) == identity_) return;
+  throw GoneError(fmt::format(
+      "database {}: the file was removed or another put in its place; put it back, or submit the "
+      "sweeps to a new one: results are taken from the job directories",
+      path_.string()));
+}
 
 void Connection::read(const std::function<void(SQLite::Database&)>& body) const {
   translated(path_, [&] {
@@ -102,6 +150,7 @@ void Connection::read(const std::function<void(SQLite::Database&)>& body) const 
 }
 
 void Connection::write(const std::function<void(SQLite::Database&)>& body) {
+  require_in_place();
   translated(path_, [&] {
     SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
     body(*database_);

@@ -1,8 +1,13 @@
 #include "db/store/lock.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <thread>
+
+#include "db/store/connection.hpp"
 #include "db/store/error.hpp"
 #include "db/store/file_system.hpp"
 #include "tests/io/snapshot_fixture.hpp"
@@ -15,7 +20,7 @@ TEST(Lock, TellsASecondComerWhoHoldsIt) {
   const TemporaryFolder folder;
   const Lock lock(folder / "a.sqlite");
   try {
-    const Lock second(folder / "a.sqlite");
+    const Lock second(folder / "a.sqlite", std::chrono::milliseconds(0));
     FAIL() << "two hold one database";
   } catch (const LockedError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("process " + std::to_string(::getpid())));
@@ -30,6 +35,52 @@ TEST(Lock, IsFreeAgainWhenItsHolderIsGone) {
   { const Lock lock(folder / "a.sqlite"); }
   EXPECT_EQ(lock_holder(folder / "a.sqlite"), std::nullopt);
   EXPECT_NO_THROW(Lock(folder / "a.sqlite"));
+}
+
+constexpr std::chrono::milliseconds at_once{0};
+
+TEST(Lock, IsOfTheFileWhateverItIsCalled) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("a.sqlite", folder / "b.sqlite");
+  const Lock lock(folder / "a.sqlite");
+  EXPECT_THROW(Lock(folder / "b.sqlite", at_once), LockedError);
+  EXPECT_NE(lock_holder(folder / "b.sqlite"), std::nullopt);
+}
+
+TEST(Lock, HoldsThoughTheFileThatSaysWhoIsRemoved) {
+  const TemporaryFolder folder;
+  const Lock lock(folder / "a.sqlite");
+  std::filesystem::remove(folder / "a.sqlite.lock");
+  EXPECT_THROW(Lock(folder / "a.sqlite", at_once), LockedError);
+}
+
+TEST(Lock, IsWaitedForALittle) {
+  const TemporaryFolder folder;
+  auto momentary = std::make_optional<Lock>(folder / "a.sqlite");
+  std::jthread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    momentary.reset();
+  });
+  EXPECT_NO_THROW(Lock(folder / "a.sqlite", std::chrono::seconds(60)));
+}
+
+/// Closing any descriptor of a file drops all POSIX locks of the process on it.
+TEST(Lock, ThatIsLetGoLeavesSqliteItsOwn) {
+  const TemporaryFolder folder;
+  Connection connection(folder / "a.sqlite", Access::write);
+  connection.write([&](SQLite::Database&) {
+    { const Lock lock(folder / "a.sqlite"); }
+    const pid_t other = ::fork();
+    if (other == 0) {
+      const std::string command = "sqlite3 '" + (folder / "a.sqlite").string() +
+                                  "' 'PRAGMA locking_mode = EXCLUSIVE; PRAGMA journal_mode = "
+                                  "DELETE;' 2>&1 | grep -q -e wal -e locked";
+      ::_exit(std::system(command.c_str()) == 0 ? 0 : 1);
+    }
+    int status = 0;
+    ::waitpid(other, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 0) << "another process took the file from under SQLite";
+  });
 }
 
 TEST(FileSystem, KnowsTheNetworkOnes) {
