@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "db/store/connection.hpp"
 #include "db/jobs/selection.hpp"
+#include "db/store/connection.hpp"
 
 namespace eerie::manager {
 
@@ -22,14 +22,20 @@ struct Request {
 };
 
 nlohmann::json to_json(const Request& request);
-/// Throws InputError.
+/// Strict: keys that the kind does not have, or lacks, are errors, and every job is selected by
+/// {"all": true} alone. Throws InputError.
 Request parse_request(const nlohmann::json& document, const std::string& where);
 
-/// An id that sorts by the time at which it was made.
+/// Throws InputError for a request that nobody can carry out as it stands: of no known kind, of
+/// numbers out of range.
+void require_usable(const Request& request);
+
+/// An id that no other request has.
 std::string new_request_id();
 
 /// Carries a request out and gives the answer, e.g. {"jobs": 3, "added": 1}, or {"error": ...}
-/// where its input cannot be used. The caller is the database's only writer.
+/// where it cannot be. The caller is the database's only writer. Throws where the database is in
+/// trouble: the same may succeed later.
 nlohmann::json apply(db::Connection& connection, const Request& request);
 
 }  // namespace eerie::manager
