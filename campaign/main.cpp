@@ -1,5 +1,6 @@
 #include "campaign/cli/cli.hpp"
 #include "campaign/process/cpu.hpp"
+#include "campaign/process/unread_stderr.hpp"
 
 #ifdef __AVX2__
 constexpr bool avx2 = true;
@@ -24,5 +25,6 @@ constexpr bool avx512vbmi2 = false;
 
 int main(int argc, char** argv) {
   eerie::process::require_cpu(avx2, fma, avx512f, avx512vbmi2);
+  eerie::process::let_stderr_go_unread();
   return eerie::cli::main(argc, argv);
 }

@@ -33,7 +33,8 @@ class SpawnSettings {
     sigset_t none, defaults;
     sigemptyset(&none);
     sigemptyset(&defaults);
-    for (const int signal : {SIGINT, SIGTERM, SIGUSR1, SIGCHLD}) sigaddset(&defaults, signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGUSR1, SIGCHLD, SIGPIPE})
+      sigaddset(&defaults, signal);
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setsigdefault(&attributes, &defaults);
     posix_spawnattr_setpgroup(&attributes, 0);
@@ -136,7 +137,10 @@ std::vector<WorkerEnd> LocalProcesses::reap() {
 void LocalProcesses::stop(std::span<const Task> tasks, StopKind kind) {
   const int signal = kind == StopKind::at_once ? SIGKILL : SIGTERM;
   for (const auto& [pid, job] : jobs_)
-    if (std::ranges::find(tasks, job, &Task::job) != tasks.end()) ::kill(pid, signal);
+    if (std::ranges::find(tasks, job, &Task::job) != tasks.end()) {
+      ::kill(pid, signal);
+      ::kill(pid, SIGCONT);  // one that was halted cannot hear the other
+    }
 }
 
 std::size_t usable_cores() {

@@ -22,6 +22,12 @@ void handle(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
+/// Whoever started this process may have said that a signal is none of its business (nohup).
+bool is_ignored(int signal) {
+  struct sigaction present {};
+  return sigaction(signal, nullptr, &present) == 0 && present.sa_handler == SIG_IGN;
+}
+
 sigset_t set_of(std::initializer_list<int> signals) {
   sigset_t set;
   sigemptyset(&set);
@@ -35,13 +41,16 @@ void catch_stop_signals() {
   handle(SIGINT, count_request);
   handle(SIGTERM, count_request);
   handle(SIGUSR1, count_request);
+  if (!is_ignored(SIGHUP)) handle(SIGHUP, count_request);
+  // Whoever read the progress may leave: that ends no campaign. A write then fails with EPIPE.
+  handle(SIGPIPE, SIG_IGN);
 }
 
 int stop_requests() { return requests; }
 
 void hold_signals() {
   handle(SIGCHLD, wake);
-  const sigset_t held = set_of({SIGINT, SIGTERM, SIGUSR1, SIGCHLD});
+  const sigset_t held = set_of({SIGINT, SIGTERM, SIGUSR1, SIGHUP, SIGCHLD});
   pthread_sigmask(SIG_BLOCK, &held, nullptr);
 }
 

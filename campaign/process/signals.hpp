@@ -4,8 +4,9 @@
 
 namespace eerie::process {
 
-/// Makes SIGINT, SIGTERM and SIGUSR1 (a batch system's warning before its time limit) requests to
-/// stop instead of ends. Call once, before threads start.
+/// Makes SIGINT, SIGTERM, SIGHUP (unless it is ignored, as under nohup) and SIGUSR1 (a batch
+/// system's warning before its time limit) requests to stop instead of ends, and has SIGPIPE
+/// ignored. Call once, before threads start.
 void catch_stop_signals();
 
 /// How often a stop was asked for since.
