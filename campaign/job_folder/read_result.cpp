@@ -47,6 +47,13 @@ db::Remnant remnant_row(const json& m) {
   return row;
 }
 
+/// "0.6.0": digits and dots.
+bool is_version(const std::string& text) {
+  constexpr std::size_t longest = 40;
+  return !text.empty() && text.size() <= longest &&
+         text.find_first_not_of("0123456789.") == std::string::npos && text.front() != '.';
+}
+
 StoredResult stored_result(const json& document) {
   StoredResult stored;
   for (const json& m : document.at("analysis").at("remnants"))
@@ -81,6 +88,8 @@ StoredResult stored_result(const json& document) {
   source.at(source.contains("solver_version") ? "solver_version" : "version")
       .get_to(r.solver_version);
   source.at("host").get_to(r.host);
+  // It becomes part of a file's name where the result is set aside.
+  if (!is_version(r.solver_version)) throw InputError("its version is none");
   return stored;
 }
 

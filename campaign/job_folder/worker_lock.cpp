@@ -14,7 +14,7 @@ namespace eerie::job_folder {
 
 WorkerLock::WorkerLock(const JobDirectory& directory) {
   const std::string path = directory.worker_lock().string();
-  descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0644);
   if (descriptor_ < 0)
     throw EnvironmentError(fmt::format("cannot open {}: {}", path, std::strerror(errno)));
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
@@ -29,7 +29,7 @@ WorkerLock::WorkerLock(const JobDirectory& directory) {
 WorkerLock::~WorkerLock() { ::close(descriptor_); }
 
 bool WorkerLock::held(const JobDirectory& directory) {
-  const int descriptor = ::open(directory.worker_lock().c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = ::open(directory.worker_lock().c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) return false;
   const bool taken = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0;
   ::close(descriptor);

@@ -1,8 +1,8 @@
 #include "campaign/manager/silence.hpp"
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 
+#include "campaign/job_folder/heartbeat.hpp"
 #include "db/jobs/jobs.hpp"
 
 namespace eerie::manager {
@@ -16,10 +16,11 @@ std::vector<Silence> silent_jobs(const db::Connection& connection,
       std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   std::vector<Silence> silent;
   for (const db::Job& job : db::jobs(connection, {std::nullopt, db::JobState::running})) {
-    const auto beat = job_folder::read_json(folder.of(job.hash).heartbeat());
-    if (!beat || !beat->is_object()) continue;  // still in a queue
-    const double silence = now - beat->value("unix_time_s", now);
-    if (silence > long_s) silent.push_back({job.hash, beat->value("host", ""), silence});
+    const auto beat = job_folder::read_beat(folder.of(job.hash));
+    if (!beat) continue;  // still in a queue
+    const double silence = now - beat->unix_time_s;
+    if (beat->unix_time_s > 0 && silence > long_s)
+      silent.push_back({job.hash, beat->host, silence});
   }
   return silent;
 }

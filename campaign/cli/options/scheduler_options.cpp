@@ -11,6 +11,7 @@
 #include "campaign/process/signals.hpp"
 #include "campaign/slurm/profile.hpp"
 #include "campaign/slurm/slurm_scheduler.hpp"
+#include "db/store/place.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::cli {
@@ -72,7 +73,7 @@ void open_manager_log(const std::filesystem::path& database, bool to_stderr) {
   constexpr std::size_t bytes = 10'000'000, files = 3;
   try {
     std::vector<spdlog::sink_ptr> sinks = {std::make_shared<spdlog::sinks::rotating_file_sink_mt>(
-        database.string() + ".log", bytes, files)};
+        db::resolved(database).string() + ".log", bytes, files)};
     if (to_stderr) sinks.push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
     auto log = std::make_shared<spdlog::logger>("manager", sinks.begin(), sinks.end());
     log->set_formatter(job_folder::log_formatter());
