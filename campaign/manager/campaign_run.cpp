@@ -48,8 +48,8 @@ void work(db::Connection& connection, std::int64_t sweep, const Workplace& workp
   Manager manager(connection, *scheduler, options);
   StatusFile status(connection.path());
   manager.run(process::stop_requests, [&](const CampaignView& view) {
-    observer.at_work(view);
     status.show(view);
+    observer.at_work(view);
   });
 }
 

@@ -4,13 +4,16 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/job_folder/job_directory.hpp"
+#include "db/store/place.hpp"
 
 namespace eerie::manager {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-fs::path status_path(const fs::path& database) { return database.string() + ".status.json"; }
+fs::path status_path(const fs::path& database) {
+  return db::resolved(database).string() + ".status.json";
+}
 }  // namespace
 
 StatusFile::StatusFile(const fs::path& database) : path_(status_path(database)) {}

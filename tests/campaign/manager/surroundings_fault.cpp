@@ -82,6 +82,24 @@ TEST_P(FullDisk, IsWaitedForAndNothingTornIsTakenForTrue) {
 INSTANTIATE_TEST_SUITE_P(WithSoManyKilobytesLeft, FullDisk, testing::Values(8, 100, 300, 600),
                          testing::PrintToStringParamName());
 
+TEST(AFullDisk, KeepsNoDaemonFromEndingWhenTold) {
+  const SmallDisk disk("6m");
+  if (!disk.is_there()) GTEST_SKIP() << "this system lets no test mount a disk of its own";
+  const DisturbedCampaign campaign(disk.path(), 4, 3000);
+  Program daemon(campaign.folder(), campaign.daemon_words());
+  ASSERT_TRUE(test::eventually([&] { return !campaign.workers().empty(); })) << daemon.said();
+  const fs::path ballast = disk.path() / "ballast";
+  fill(ballast, disk.path(), 8 * 1024);
+  ASSERT_TRUE(test::eventually([&] {
+    return daemon.said().find("event=waiting") != std::string::npos;
+  })) << daemon.said();
+  daemon.send(SIGTERM);
+  EXPECT_EQ(daemon.wait(std::chrono::seconds(60)).code, 0);
+  fs::remove(ballast);
+  campaign.finish_in_peace();
+  campaign.expect_whole();
+}
+
 TEST(Clocks, ThatJumpChangeNothing) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer must be loaded first, and so must libfaketime";
