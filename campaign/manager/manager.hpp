@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/manager/awake_time.hpp"
+#include "campaign/manager/attempts/awake_time.hpp"
 #include "campaign/manager/inbox.hpp"
 #include "campaign/manager/scheduler.hpp"
 #include "campaign/manager/space_guard.hpp"

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "campaign/manager/attempt_verdict.hpp"
-#include "campaign/manager/half_written.hpp"
+#include "campaign/manager/attempts/attempt_verdict.hpp"
+#include "campaign/manager/attempts/half_written.hpp"
 #include "campaign/manager/manager.hpp"
 #include "db/store/error.hpp"
 #include "solver/base/error.hpp"

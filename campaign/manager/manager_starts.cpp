@@ -8,7 +8,7 @@
 
 #include "campaign/job_folder/provenance.hpp"
 #include "campaign/job_folder/result_file.hpp"
-#include "campaign/manager/half_written.hpp"
+#include "campaign/manager/attempts/half_written.hpp"
 #include "campaign/manager/manager.hpp"
 #include "db/store/error.hpp"
 #include "solver/base/error.hpp"

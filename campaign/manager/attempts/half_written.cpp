@@ -1,4 +1,4 @@
-#include "campaign/manager/half_written.hpp"
+#include "campaign/manager/attempts/half_written.hpp"
 
 #include <spdlog/spdlog.h>
 

@@ -1,4 +1,4 @@
-#include "campaign/manager/attempt_verdict.hpp"
+#include "campaign/manager/attempts/attempt_verdict.hpp"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -80,7 +80,8 @@ AttemptVerdict judge_attempt(const job_folder::JobDirectory& directory, const st
   if (!end || end->exit_code == job_folder::worker_busy) return Lost{};
   if (end->exit_code == job_folder::worker_disk_full) return DiskFull{};
   // A worker that is told to stop in its first moments has no handler yet and dies of the signal.
-  if (end->exit_code == job_folder::worker_stopped || end->signal == SIGTERM || end->signal == SIGINT)
+  if (end->exit_code == job_folder::worker_stopped || end->signal == SIGTERM ||
+      end->signal == SIGINT)
     return Stopped{};
   return crash(directory, *end);
 }

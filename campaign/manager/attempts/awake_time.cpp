@@ -1,4 +1,4 @@
-#include "campaign/manager/awake_time.hpp"
+#include "campaign/manager/attempts/awake_time.hpp"
 
 #include <algorithm>
 
