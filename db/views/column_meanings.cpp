@@ -10,6 +10,11 @@ namespace {
 using enum ColumnKind;
 
 constexpr ColumnMeaning table[] = {
+    // the job
+    {"state", "", word, "pending, running, done, failed or cancelled"},
+    {"wanted", "", word, "what the user wants of the job: run, pause or cancel"},
+    {"priority", "", integer, "jobs of higher priority come first"},
+    {"crashes", "", integer, "since the job was last set to pending by hand"},
     // the impact
     {"job", "", integer, "number of the job in this database"},
     {"hash", "", word, "SHA-256 of the canonical scene: what the job is"},
@@ -95,6 +100,16 @@ constexpr ColumnMeaning table[] = {
     {"orbit_semi_major_axis_m", "m", number, "of that orbit; empty: unbound"},
     {"orbit_period_h", "h", number, "of that orbit; empty: unbound"},
     {"orbit_v_inf_m_per_s", "m/s", number, "speed at infinity on that orbit; empty: bound"},
+    // all jobs
+    {"class", "", word, "outcome class; empty: no result", View::all_jobs},
+    {"b_over_a", "", number, "intermediate over longest axis of the largest remnant",
+     View::all_jobs},
+    {"c_over_a", "", number, "shortest over longest axis of the largest remnant", View::all_jobs},
+    {"period_h", "h", number, "spin period of the largest remnant", View::all_jobs},
+    {"eer", "", flag, "whether the largest remnant is extremely elongated (b/a < 0.3)",
+     View::all_jobs},
+    {"n_eer", "", integer, "extremely elongated remnants", View::all_jobs},
+    {"stale", "", flag, "made by another solver version than the one in use", View::all_jobs},
     // maps
     {"jobs", "", integer, "jobs of the point"},
     {"done", "", integer, "jobs of the point that have a result"},

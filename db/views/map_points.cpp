@@ -13,8 +13,8 @@ namespace {
 
 constexpr const char* select_jobs = R"sql(
 SELECT j.q, j.phi_d_deg, j.v_imp_cm_per_s, j.theta_imp_deg, j.v_over_v_esc, j.particles_per_target,
-       j.settings, j.fidelity, j.state, r.class, r.b_over_a, r.c_over_a, r.period_h,
-       r.m_lr_over_m_total, r.n_eer, r.eer, r.settled, r.solver_version <> now.value AS stale
+       j.settings, j.fidelity, j.state, iif(j.state = 'running', j.hash, NULL) AS running,
+       r.class, r.b_over_a, r.c_over_a, r.period_h, r.m_lr_over_m_total, r.n_eer, r.eer, r.settled, r.solver_version <> now.value AS stale
 FROM jobs j LEFT JOIN job_results r ON r.job_id = j.id
      LEFT JOIN settings now ON now.key = 'solver_version'
 WHERE (:sweep IS NULL OR j.id IN (SELECT job_id FROM sweep_jobs WHERE sweep_id = :sweep))
@@ -63,6 +63,9 @@ void add(MapPoint& p, const SQLite::Statement& row) {
   const std::string state = row.getColumn("state").getString();
   p.done += state == name(job_state_names, JobState::done);
   p.failed += state == name(job_state_names, JobState::failed);
+  p.cancelled += state == name(job_state_names, JobState::cancelled);
+  if (const SQLite::Column hash = row.getColumn("running"); !hash.isNull())
+    p.running.push_back(hash.getString());
   if (row.getColumn("class").isNull()) return;
   ++p.results;
   ++p.classes[row.getColumn("class").getString()];
@@ -103,6 +106,25 @@ std::vector<MapPoint> map_points(const Connection& connection, const MapFilter& 
     }
   });
   return points;
+}
+
+std::vector<MapName> map_names(const Connection& connection) {
+  std::vector<MapName> names;
+  connection.read([&](SQLite::Database& sql) {
+    SQLite::Statement select(sql, R"(
+        SELECT q, phi_d_deg, particles_per_target, settings, max(fidelity), count(*),
+               sum(state = 'done')
+        FROM jobs GROUP BY q, phi_d_deg, particles_per_target, settings)");
+    while (select.executeStep()) {
+      MapName& map = names.emplace_back();
+      map.q = select.getColumn(0).getDouble(), map.phi_d_deg = select.getColumn(1).getDouble();
+      map.particles_per_target = select.getColumn(2).getInt64();
+      map.settings = select.getColumn(3).getInt64();
+      map.fidelity = select.getColumn(4).getString();
+      map.jobs = select.getColumn(5).getInt64(), map.done = select.getColumn(6).getInt64();
+    }
+  });
+  return names;
 }
 
 }  // namespace eerie::db

@@ -17,7 +17,8 @@ struct MapPoint {
   std::int64_t particles_per_target = 0;
   std::int64_t settings = 0;  ///< db/jobs/job_settings.hpp
   std::string fidelity = {};  ///< empty: settings without a name
-  std::int64_t jobs = 0, done = 0, failed = 0;
+  std::int64_t jobs = 0, done = 0, failed = 0, cancelled = 0;
+  std::vector<std::string> running = {};  ///< hashes of the jobs that are at work
   std::int64_t results = 0;  ///< of these, `stale` made by another solver version, `unsettled`
   std::int64_t stale = 0, unsettled = 0;  ///< with remnants that will meet again
   /// Numbers of those results that have them; b/a, c/a and period of the largest remnant.
@@ -45,5 +46,15 @@ struct MapFilter {
 
 /// Ordered by q, phi_d, particles, settings, then v_imp and theta_imp.
 std::vector<MapPoint> map_points(const Connection& connection, const MapFilter& filter);
+
+/// A map that a database holds.
+struct MapName {
+  double q = 0, phi_d_deg = 0;
+  std::int64_t particles_per_target = 0, settings = 0;
+  std::string fidelity = {};  ///< empty: settings without a name
+  std::int64_t jobs = 0, done = 0;
+};
+/// In the order of map_points().
+std::vector<MapName> map_names(const Connection& connection);
 
 }  // namespace eerie::db

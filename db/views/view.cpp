@@ -16,7 +16,23 @@ namespace {
 
 using Columns = std::vector<ViewColumn>;
 
+// Of the connection, so that it needs no newer schema of the file, and a reader can make it.
+constexpr const char* make_all_jobs = R"sql(
+CREATE TEMP VIEW IF NOT EXISTS all_jobs AS
+SELECT j.id AS job, j.hash AS hash, j.state, j.wanted, j.priority, j.crashes,
+       j.q, j.phi_d_deg, j.v_imp_cm_per_s, j.theta_imp_deg, j.v_over_v_esc,
+       j.particles_per_target, j.seed, j.end_time_s, j.fidelity, j.settings,
+       r.class, r.b_over_a, r.c_over_a, r.m_lr_over_m_total, r.m_slr_over_m_total, r.period_h,
+       r.eer, r.n_eer, r.n_remnants, r.settled, r.unsettled_reason,
+       r.ended_at_s, r.end_reason, r.dL_over_L, r.steps, r.particle_steps, r.wall_s, r.threads,
+       r.solver_version, r.host, r.finished,
+       CASE WHEN r.job_id IS NOT NULL THEN coalesce(r.solver_version <> now.value, 0) END AS stale
+FROM main.jobs j LEFT JOIN main.job_results r ON r.job_id = j.id
+     LEFT JOIN main.settings now ON now.key = 'solver_version'
+)sql";
+
 Columns columns(SQLite::Database& sql, View view) {
+  if (view == View::all_jobs) sql.exec(make_all_jobs);
   Columns list;
   SQLite::Statement select(sql, "SELECT name, type FROM pragma_table_info(?)");
   bind_all(select, name(view_names, view));
@@ -37,6 +53,12 @@ std::string quoted(const Columns& list, const std::string& column) {
 
 /// What stands in a condition as ?: bound in the order of the text.
 using Parameters = std::vector<std::variant<double, std::string>>;
+
+void bind_parameters(SQLite::Statement& select, const Parameters& parameters) {
+  int index = 0;
+  for (const auto& parameter : parameters)
+    std::visit([&](const auto& value) { bind_value(select, ++index, value); }, parameter);
+}
 
 std::string text_of(const Condition& c, const std::string& column, Parameters& parameters) {
   std::vector<std::string> all;
@@ -125,11 +147,9 @@ void each_row(const Connection& connection, const ViewQuery& query,
                     selected.empty() ? "*" : fmt::format("{}", fmt::join(selected, ", ")),
                     name(view_names, query.view));
     text += conditions(sql, query, known, parameters) + order(query, known);
-    if (query.limit) text += fmt::format(" LIMIT {}", *query.limit);
+    if (query.limit) text += fmt::format(" LIMIT {} OFFSET {}", *query.limit, query.offset);
     SQLite::Statement select(sql, text);
-    int index = 0;
-    for (const auto& parameter : parameters)
-      std::visit([&](const auto& value) { bind_value(select, ++index, value); }, parameter);
+    bind_parameters(select, parameters);
     while (select.executeStep()) body(select);
   });
 }
@@ -151,6 +171,29 @@ ViewRows rows(const Connection& connection, const ViewQuery& query) {
   each_row(connection, query, [&](SQLite::Statement& row) {
     std::vector<Cell>& cells = found.rows.emplace_back();
     for (int k = 0; k < row.getColumnCount(); ++k) cells.push_back(cell(row.getColumn(k)));
+  });
+  return found;
+}
+
+ViewSummary summary(const Connection& connection, const ViewQuery& query,
+                    const std::vector<std::string>& of) {
+  ViewSummary found;
+  connection.read([&](SQLite::Database& sql) {
+    const Columns known = columns(sql, query.view);
+    std::string text = "SELECT count(*)";
+    for (const std::string& column : of)
+      // Some values and some missing ones are different, too.
+      text += fmt::format(", min({0}) <> max({0}) OR count({0}) NOT IN (0, count(*))",
+                          quoted(known, column));
+    Parameters parameters;
+    text += fmt::format(" FROM {} WHERE 1", name(view_names, query.view));
+    text += conditions(sql, query, known, parameters);
+    SQLite::Statement select(sql, text);
+    bind_parameters(select, parameters);
+    select.executeStep();
+    found.rows = select.getColumn(0).getInt64();
+    for (std::size_t k = 0; k < of.size(); ++k)
+      if (select.getColumn(static_cast<int>(k) + 1).getInt() != 0) found.differing.push_back(of[k]);
   });
   return found;
 }

@@ -17,9 +17,11 @@ class Statement;
 
 namespace eerie::db {
 
-/// The views for users (docs/database.md).
-enum class View { results, remnants, maps };
-inline constexpr std::array<std::string_view, 3> view_names = {"results", "remnants", "maps"};
+/// The views for users (docs/database.md). `all_jobs` is made by each connection for itself: all
+/// jobs, with their results where they have one.
+enum class View { results, remnants, maps, all_jobs };
+inline constexpr std::array<std::string_view, 4> view_names = {"results", "remnants", "maps",
+                                                               "all_jobs"};
 
 struct ViewColumn {
   std::string name;
@@ -50,6 +52,7 @@ struct ViewQuery {
   std::vector<std::int64_t> sweeps = {};   ///< of one of these sweeps; empty: of any or none
   std::vector<SortKey> sort = {};          ///< before the view's own order; empty values last
   std::optional<std::int64_t> limit = {};
+  std::int64_t offset = 0;  ///< rows left out at the start; with a limit
 };
 
 /// A condition may name a column of the view, or of `results` where the view has jobs.
@@ -75,5 +78,13 @@ struct ViewRows {
   std::optional<std::size_t> find(std::string_view column) const;
 };
 ViewRows rows(const Connection& connection, const ViewQuery& query);
+
+/// All rows that a query finds, whatever its limit.
+struct ViewSummary {
+  std::int64_t rows = 0;
+  std::vector<std::string> differing;  ///< of the columns asked for, those of several values
+};
+ViewSummary summary(const Connection& connection, const ViewQuery& query,
+                    const std::vector<std::string>& columns);
 
 }  // namespace eerie::db
