@@ -73,6 +73,10 @@ constexpr Command commands[] = {
      "  eerie status --watch\n"
      "  eerie status --db fig2b.sqlite --json",
      add_status},
+    {"serve", "Show a database in the browser, live or finished",
+     "  eerie serve --db fig2b.sqlite --open\n"
+     "  eerie serve --db campaign.sqlite --port 9000 --read-only",
+     add_serve},
     {"show", "Show a job: its scene, results, attempts and files; or pictures of its particles",
      "  eerie show 3f9a20c1\n"
      "  eerie show 3f9a20c1 --json\n"

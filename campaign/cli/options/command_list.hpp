@@ -20,6 +20,7 @@ Action add_retry(CLI::App& app);
 Action add_priority(CLI::App& app);
 Action add_wall_limit(CLI::App& app);
 Action add_status(CLI::App& app);
+Action add_serve(CLI::App& app);
 Action add_log(CLI::App& app);
 Action add_show(CLI::App& app);
 Action add_query(CLI::App& app);

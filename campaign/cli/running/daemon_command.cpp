@@ -3,6 +3,7 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/options/scheduler_options.hpp"
 #include "campaign/cli/output/files.hpp"
+#include "campaign/cli/running/serve_options.hpp"
 #include "campaign/job_folder/provenance.hpp"
 #include "campaign/manager/local_processes.hpp"
 #include "campaign/manager/status_file.hpp"
@@ -16,7 +17,8 @@ struct DaemonArguments {
   std::filesystem::path database;
   int workers = 0, threads_per_job = 1;
   EngineArguments engine;
-  bool until_idle = false;
+  bool until_idle = false, serve = false;
+  serve::DashboardOptions dashboard;
 };
 
 Answer daemon(const DaemonArguments& a, Output& out) {
@@ -38,6 +40,14 @@ Answer daemon(const DaemonArguments& a, Output& out) {
   manager::ManagerOptions options = manager_options(a.engine);
   options.stays = !a.until_idle;
   manager::Manager manager(held.connection, *scheduler, options);
+
+  std::unique_ptr<serve::Dashboard> dashboard;
+  if (a.serve) {
+    serve::DashboardOptions shown = a.dashboard;
+    shown.database = a.database;
+    dashboard = std::make_unique<serve::Dashboard>(shown);
+    print_address(*dashboard, shown);
+  }
 
   const job_folder::Provenance source = job_folder::provenance();
   spdlog::info("event=daemon version={} commit={} pid={} database={} scheduler={} workers={}",
@@ -65,6 +75,8 @@ Action add_daemon(CLI::App& app) {
       ->check(CLI::Range(1, most_threads))
       ->capture_default_str();
   add_engine(app, a->engine);
+  app.add_flag("--serve", a->serve, "show the database in the browser meanwhile (eerie serve)");
+  add_dashboard(app, a->dashboard);
   app.add_flag("--until-idle", a->until_idle, "end when nothing is left to do");
   app.add_flag("--quiet")->description("print nothing but complaints");
   return [a](Output& out) { return daemon(*a, out); };

@@ -1,0 +1,95 @@
+#include "campaign/serve/actions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "campaign/inbox.hpp"
+#include "campaign/json_file.hpp"
+#include "campaign/request.hpp"
+#include "campaign/sweep.hpp"
+#include "db/control.hpp"
+#include "db/error.hpp"
+#include "db/lock.hpp"
+#include "solver/base/error.hpp"
+
+namespace eerie::serve {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::array kinds = {"submit", "pause",    "resume",     "cancel",
+                              "retry",  "priority", "rerun-stale"};
+constexpr auto patience = std::chrono::seconds(4);
+
+/// An empty selection means every job: the page has to say that it means it.
+void require_meant(const Request& request, const json& document) {
+  if (request.kind == "submit" || !request.selection.is_everything() ||
+      document.value("all", false))
+    return;
+  throw InputError("selection: says nothing; name jobs or a sweep, or \"all\": true for every job");
+}
+
+void require_usable(const Request& request, const json& document) {
+  if (std::ranges::find(kinds, request.kind) == kinds.end())
+    throw InputError(
+        fmt::format("kind = {}: must be one of submit, pause, resume, cancel, retry, "
+                    "priority, rerun-stale",
+                    request.kind));
+  require_meant(request, document);
+  if (request.kind == "priority" && !request.priority)
+    throw InputError("priority: must be given, a whole number; higher ones come first");
+  for (const std::string& hash : request.selection.hashes)
+    if (hash.size() < 4 || hash.size() > 64 ||
+        hash.find_first_not_of("0123456789abcdef") != std::string::npos)
+      throw InputError(fmt::format("hash = {}: must be 4 to 64 digits 0-9, a-f", hash));
+  // Mistakes in a sweep are told here and now.
+  if (request.kind == "submit")
+    expand(parse_sweep(parse_json(request.sweep, "sweep"), {}, "sweep"));
+}
+
+Request request_of(const std::string& body) {
+  json document = parse_json(body, "action");
+  if (!document.is_object()) throw InputError("action: must be an object");
+  document["id"] = new_request_id();
+  if (!document.contains("selection")) document["selection"] = json::object();
+  const Request request = parse_request(document, "action");
+  try {
+    require_usable(request, document);
+  } catch (const json::exception& error) {
+    throw InputError(fmt::format("action: {}", error.what()));
+  }
+  return request;
+}
+
+std::optional<std::string> answer_in(const fs::path& database, const std::string& id) {
+  return db::answer(db::Connection(database, db::Access::read), id);
+}
+
+}  // namespace
+
+Reply act(const fs::path& database, const std::string& body) {
+  const Request request = request_of(body);
+  Inbox(database).put(request);
+  if (!db::lock_holder(database))
+    return json_reply({{"waits",
+                        "nobody works on the database: whoever does next carries it out "
+                        "(`eerie daemon`, or any command that asks something of it)"}},
+                      202);
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  while (std::chrono::steady_clock::now() < deadline) {
+    if (const auto text = answer_in(database, request.id)) {
+      const json answer = json::parse(*text);
+      return json_reply(answer, answer.contains("error") ? 400 : 200);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return json_reply({{"waits", "the manager at work is busy; it will do it"}}, 202);
+}
+
+}  // namespace eerie::serve

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace eerie::serve {
+
+/// What changes in a campaign, told to everyone who listens. One thread looks, whatever the number
+/// of listeners: at the database's version twice a second, at what the manager says of itself, and
+/// at the progress of running jobs while somebody listens.
+class Events {
+ public:
+  explicit Events(std::filesystem::path database);
+  ~Events();
+  Events(const Events&) = delete;
+  Events& operator=(const Events&) = delete;
+
+  /// Rises with every change of the database that was seen.
+  std::uint64_t generation() const { return generation_; }
+
+  /// A listener; at most `most_listeners` at a time.
+  class Listener {
+   public:
+    explicit Listener(Events& events) : events_(events) {}
+    ~Listener();
+    Listener(const Listener&) = delete;
+    Listener& operator=(const Listener&) = delete;
+
+    /// What is new since the last call, as server-sent events; a comment where nothing is for so
+    /// long. Nothing once the events have ended.
+    std::optional<std::string> next(std::chrono::milliseconds patience);
+
+   private:
+    friend class Events;
+    Events& events_;
+    std::array<std::uint64_t, 3> seen_{};  ///< the number of the newest news of each kind
+  };
+  static constexpr int most_listeners = 64;
+  /// Null where there are too many already.
+  std::shared_ptr<Listener> listen();
+
+  /// Wakes all listeners for good.
+  void end();
+
+ private:
+  enum Kind { of_database, of_work, of_progress };
+  struct News {
+    std::uint64_t number = 0;
+    std::string text;  ///< JSON on one line
+  };
+  class Watch;
+
+  void look_again_and_again();
+  void tell(Kind kind, std::string text);
+  std::string news_since(Listener& listener) const;
+
+  std::filesystem::path path_;
+  std::atomic<std::uint64_t> generation_ = 1;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::array<News, 3> news_;
+  int listeners_ = 0;
+  bool over_ = false;
+  std::thread thread_;
+};
+
+}  // namespace eerie::serve

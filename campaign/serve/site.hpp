@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "campaign/serve/cache.hpp"
+#include "campaign/serve/events.hpp"
+#include "campaign/serve/reply.hpp"
+
+namespace eerie::serve {
+
+/// What there is to be read at which address: the page, its files, and JSON of a database. Every
+/// address opens a connection of its own, which reads and cannot write.
+class Site {
+ public:
+  Site(std::filesystem::path database, bool read_only, const Events& events);
+
+  /// Never throws: what goes wrong is a reply with {"error": ...}.
+  Reply answer(const std::string& path, const Parameters& parameters);
+
+ private:
+  Reply api(const std::string& name, const Parameters& parameters);
+  Reply of_job(const std::string& address, const Parameters& parameters);
+  Reply page_file(const std::string& name) const;
+
+  std::filesystem::path database_;
+  bool read_only_;
+  const Events& events_;
+  Cache cache_;
+};
+
+}  // namespace eerie::serve
