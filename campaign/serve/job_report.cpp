@@ -90,8 +90,9 @@ json scene_leaves(const json& scene) {
     plain["numerics"]["scheme"] = scene.at("numerics").at("scheme");
   const json usual = to_json(parse_scene(plain)).flatten();
   const json unchanged = to_json(parse_scene(json::object())).flatten();
+  const json flat = scene.flatten();
   json leaves = json::array();
-  for (const auto& [pointer, value] : scene.flatten().items()) {
+  for (const auto& [pointer, value] : flat.items()) {
     std::string path = pointer.substr(1);
     std::ranges::replace(path, '/', '.');
     // The scheme itself differs from the one that a scene has by default.

@@ -1,0 +1,52 @@
+// What changes, told by the server: "database", "work" and "progress". Views listen while they are
+// there; a listener hears at once what was told last.
+
+const listeners = new Set();
+const last = new Map();
+let source = null;
+let poll = 0;
+
+function tell(kind, data) {
+  last.set(kind, data);
+  for (const listener of listeners) listener(kind, data);
+}
+
+function connect() {
+  source = new EventSource("/api/events");
+  for (const kind of ["database", "work", "progress"])
+    source.addEventListener(kind, (event) => tell(kind, JSON.parse(event.data)));
+  source.onopen = () => tell("connection", true);
+  source.onerror = () => {
+    tell("connection", false);
+    // A browser tries again by itself unless it was refused, as where too many listen.
+    if (source.readyState === EventSource.CLOSED) {
+      clearTimeout(poll);
+      poll = setTimeout(connect, 5000);
+    }
+  };
+}
+
+export function listen(listener, signal) {
+  if (!source) connect();
+  listeners.add(listener);
+  signal.addEventListener("abort", () => listeners.delete(listener));
+  for (const [kind, data] of last) listener(kind, data);
+}
+
+/// Calls `body` now and then: at once, then no sooner than so many ms after the last time, and only
+/// while somebody looks at the page.
+export function gently(body, pause = 1000) {
+  let waiting = false;
+  let next = 0;
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    const run = () => {
+      if (document.hidden) return void document.addEventListener("visibilitychange", run, { once: true });
+      waiting = false;
+      next = Date.now() + pause;
+      body();
+    };
+    setTimeout(run, Math.max(0, next - Date.now()));
+  };
+}
