@@ -20,6 +20,12 @@ export function ticks(low, high, most = 6) {
   return found;
 }
 
+/// The number of a tick: short, whatever its size.
+function tick_text(value) {
+  const magnitude = Math.abs(value);
+  return magnitude !== 0 && (magnitude >= 1e5 || magnitude < 1e-3) ? String(Number(value.toPrecision(3)).toExponential()).replace("e+", "e") : digits(value, 3);
+}
+
 /// A line chart. `lines`: [{name, x, y, kind}], kind: 1 to 4, the way that it is drawn. Options:
 /// title, unit, x_label, low, high, marks [{y, text}]. Gives the node, with .point_at(x) for a
 /// moment chosen elsewhere.
@@ -56,7 +62,7 @@ function plot(picture, reading, lines, options, width, height) {
   const cursor = svg("g", { class: "cursor" });
   fill(picture,
     ticks(low, high, 4).map((t) => [svg("path", { class: "grid", d: `M${left} ${y(t)}H${width - right}` }),
-      svg("text", { x: left - 6, y: y(t) + 4, "text-anchor": "end" }, digits(t, 3))]),
+      svg("text", { x: left - 6, y: y(t) + 4, "text-anchor": "end" }, tick_text(t))]),
     x_ticks.map((t) => svg("text", { x: x(t), y: height - 8, "text-anchor": "middle" }, digits(t, 4))),
     (options.marks ?? []).map((m) => svg("path", { class: "mark", d: `M${left} ${y(m.y)}H${width - right}` })),
     lines.map((line) => svg("path", { class: `line line-${line.kind}`, d: path_of(line, x, y) })), cursor);

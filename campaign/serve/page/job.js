@@ -62,7 +62,7 @@ function pairs(object) {
 function attempts(job) {
   return el("section", { class: "card" }, el("h2", {}, "Attempts"), job.attempts.length === 0 ? el("p", { class: "empty" }, "It was never started.") :
     el("div", { class: "scroll" }, el("table", {}, el("thead", {}, el("tr", {}, ["started", "ended", "because", "host", "worker", "core-time", "peak memory", "message"].map((t) => el("th", {}, t)))),
-      el("tbody", {}, job.attempts.map((a) => el("tr", {}, el("td", {}, moment(a.started)), el("td", {}, moment(a.ended)), el("td", {}, a.failure_kind ?? a.exit_reason ?? "at work"), el("td", {}, a.host), el("td", {}, a.worker ?? none),
+      el("tbody", {}, job.attempts.map((a) => el("tr", {}, el("td", { class: "moment" }, moment(a.started)), el("td", { class: "moment" }, moment(a.ended)), el("td", {}, a.failure_kind ?? a.exit_reason ?? "at work"), el("td", {}, a.host), el("td", {}, a.worker ?? none),
         el("td", { class: "number" }, a.core_seconds === null ? none : duration(a.core_seconds)), el("td", { class: "number" }, a.peak_memory_bytes === null ? none : `${whole(Math.round(a.peak_memory_bytes / 1e6))} MB`), el("td", {}, a.message ?? "")))))));
 }
 

@@ -37,10 +37,12 @@ function filter_form(p, sweeps, change) {
     el("label", { class: "check" }, el("input", { type: "checkbox", name: "eer", checked: p.eer === "1", onchange: (e) => change({ eer: e.target.checked ? "1" : "" }) }), "with an EER"));
 }
 
+const words = new Set(["hash", "state", "class", "fidelity", "wanted", "settled", "stale"]);
+
 function head_cell(column, sort, change) {
   const falling = sort === `-${column.name}`, rising = sort === column.name;
   const next = rising ? `-${column.name}` : falling ? "" : column.name;
-  return el("th", { scope: "col", class: column.name === "hash" || column.name === "class" ? "" : "number", "aria-sort": rising ? "ascending" : falling ? "descending" : "none" },
+  return el("th", { scope: "col", class: words.has(column.name) ? "" : "number", "aria-sort": rising ? "ascending" : falling ? "descending" : "none" },
     el("button", { type: "button", class: "sort", title: column.meaning, onclick: () => change({ sort: next }) },
       heads[column.name] ?? column.name, rising ? " ↑" : falling ? " ↓" : ""));
 }
@@ -51,8 +53,7 @@ function row_of(columns, row, chosen, on_choice) {
     columns.map((column, k) => {
       if (column.name === "hash") return el("td", {}, el("a", { class: "hash", href: `/job/${hash}` }, cell(hash, "hash")));
       if (column.name === "state") return el("td", {}, el("span", { class: `badge is-${row[k]}` }, row[k]));
-      const number = typeof row[k] === "number";
-      return el("td", { class: number || row[k] === null ? "number" : "" }, cell(row[k], column.name));
+      return el("td", { class: words.has(column.name) ? "" : "number" }, cell(row[k], column.name));
     }));
 }
 
@@ -85,7 +86,7 @@ export async function show_jobs(root, { signal, query, note }) {
   const draw = () => {
     draw_tools();
     fill(table, page.shared.length > 0 && page.total > 1 && el("p", { class: "shared" }, "All have ", page.shared.filter((s) => s.value !== null && !(s.name === "wanted" && s.value === "run") && !(s.name === "priority" && s.value === 0)).map((s) =>
-      [el("span", { title: s.meaning }, `${heads[s.name] ?? s.name} `), el("b", {}, cell(s.value, s.name)), " "])),
+      el("span", { title: s.meaning }, heads[s.name] ?? s.name, " ", el("b", {}, cell(s.value, s.name))))),
       pager(page.total, p.offset, change),
       el("div", { class: "scroll" }, el("table", { class: "jobs" }, el("thead", {}, el("tr", {}, el("th", {}), page.columns.map((c) => head_cell(c, p.sort, change)))),
         el("tbody", {}, page.rows.map((row) => row_of(page.columns, row, chosen, draw_tools))))),

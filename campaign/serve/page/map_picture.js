@@ -21,7 +21,8 @@ export function draw_map(place, view) {
         left: x(map.v.edges[i]), right: x(map.v.edges[i + 1]), top: y(map.theta.edges[j + 1]), bottom: y(map.theta.edges[j]) });
   const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, width, height, class: "map-svg", role: "grid", "aria-label": "Map of impacts over speed and angle" },
     patterns(), svg("g", {}, boxes.map((box) => one_cell(box, view))),
-    svg("path", { class: "eer-outline", d: outline(boxes, map) }), curves(map, view.ridge, x, y, width, height), axes(map, x, y, width, height));
+    outlined(boxes, map), curves(map, view.ridge, x, y, width, height),
+    svg("g", { class: "words" }, boxes.map((box) => box.words)), axes(map, x, y, width, height));
   fill(place, picture);
   steer(picture, boxes, view, map);
   if (focused) picture.querySelector(`[data-cell="${focused}"]`)?.focus();
@@ -44,7 +45,8 @@ function one_cell(box, { map, quantity, progress, selected }) {
   if (!cell) return svg("circle", { class: "missing", cx, cy, r: 1.5 });
   const frame = { x: box.left + 0.5, y: box.top + 0.5, width: Math.max(1, w - 1), height: Math.max(1, h - 1) };
   const colour = cell.colours?.[quantity];
-  const text = (words, kind = "", dy = 4) => w > 9 * words.length - 6 && h > 13 && svg("text", { x: cx, y: cy + dy, class: `in-cell ${kind}` }, words);
+  // Above the curves, with a rim of the cell's colour.
+  const text = (words, kind = "", stroke = "none") => { if (w > 9 * words.length - 6 && h > 13) box.words = svg("text", { x: cx, y: cy + 4, class: `in-cell ${kind}`, stroke }, words); };
   const parts = [];
   if (cell.results) {
     parts.push(svg("rect", { ...frame, class: "value", fill: colour ?? "transparent" }));
@@ -52,7 +54,7 @@ function one_cell(box, { map, quantity, progress, selected }) {
     if (cell.unsettled) parts.push(svg("rect", { ...frame, fill: "url(#hatch)" }));
     if (cell.smaller_eer) parts.push(svg("path", { class: "corner", d: `M${box.right - 0.5} ${box.top + 0.5}v${Math.min(10, h / 2)}l${-Math.min(10, h / 2)} ${-Math.min(10, h / 2)}z` }));
     const letter = map.classes.find((c) => c.name === cell.class)?.letter;
-    parts.push(text(quantity === "class" ? letter : cell.words?.[quantity] ?? "–", !colour || is_light(colour) ? "on-light" : "on-dark"));
+    text(quantity === "class" ? letter : cell.words?.[quantity] ?? "–", !colour || is_light(colour) ? "on-light" : "on-dark", colour);
   } else if (cell.state === "failed") {
     parts.push(svg("rect", { ...frame, class: "failed" }), svg("path", { class: "cross", d: `M${cx - 5} ${cy - 5}l10 10m0 -10l-10 10` }));
   } else if (cell.state === "cancelled") {
@@ -62,7 +64,8 @@ function one_cell(box, { map, quantity, progress, selected }) {
   }
   if (cell.running.length) {
     const part = Math.max(0, ...cell.running.map((hash) => progress[hash]?.part ?? 0));
-    if (!cell.results) parts.push(svg("rect", { ...frame, class: "at-work" }), svg("rect", { ...frame, class: "progress", y: frame.y + frame.height * (1 - part), height: frame.height * part }), text(percent(part), "at-work-text"));
+    if (!cell.results) parts.push(svg("rect", { ...frame, class: "at-work" }), svg("rect", { ...frame, class: "progress", y: frame.y + frame.height * (1 - part), height: frame.height * part }));
+    if (!cell.results) text(percent(part), "at-work-text");
     parts.push(svg("rect", { ...frame, x: frame.x + 1, y: frame.y + 1, width: Math.max(1, w - 3), height: Math.max(1, h - 3), class: "at-work-frame" }));
   }
   return svg("g", { class: `cell is-${cell.state}${selected === box.key ? " selected" : ""}`, "data-cell": box.key, "data-state": cell.state, role: "gridcell", tabindex: -1,
@@ -72,6 +75,11 @@ function one_cell(box, { map, quantity, progress, selected }) {
 
 /// The borders between cells whose largest remnant is an EER, in half of the runs and more, and all
 /// others.
+function outlined(boxes, map) {
+  const d = outline(boxes, map);
+  return [svg("path", { class: "eer-halo", d }), svg("path", { class: "eer-outline", d })];
+}
+
 function outline(boxes, map) {
   const n = map.v.at.length;
   const is_eer = (i, j) => i >= 0 && i < n && j >= 0 && j < map.theta.at.length && boxes[i + j * n].cell?.is_eer === true;

@@ -43,7 +43,7 @@ function draw(picture, spans, width) {
   const height = top + lanes.length * tall + 24;
   picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
   picture.setAttribute("height", height);
-  fill(picture, clock_ticks(from, to, Math.floor(width / 90)).map(([t, text]) => [
+  fill(picture, clock_ticks(from, to, Math.floor(width / 74)).map(([t, text]) => [
     svg("path", { class: "grid", d: `M${x(t)} ${top}V${height - 20}` }),
     svg("text", { x: Math.min(Math.max(x(t), 26), width - 26), y: height - 6, "text-anchor": "middle" }, text)]),
   lanes.map((lane, k) => lane.spans.map((s) => svg("a", { href: `/job/${s.hash}`, tabindex: -1 },
