@@ -62,6 +62,7 @@ bool Program::running() {
 }
 
 std::string Program::said() const { return read_file(err_); }
+std::string Program::printed() const { return read_file(out_); }
 
 Ended Program::wait(std::chrono::seconds deadline) {
   if (!eventually([this] { return !running(); }, deadline)) {

@@ -28,6 +28,8 @@ class Program {
   bool running();
   /// What it has written to standard error so far.
   std::string said() const;
+  /// And to standard output.
+  std::string printed() const;
   /// Waits for the end; fails the test after `deadline`.
   Ended wait(std::chrono::seconds deadline = std::chrono::seconds(120));
 

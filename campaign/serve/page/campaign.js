@@ -56,7 +56,8 @@ function waits(campaign) {
   return lines.length > 0 && el("div", { class: "waits" }, el("b", {}, "Waits for"), lines.map((l) => el("p", {}, l)));
 }
 
-function sweeps(campaign) {
+/// `open`: names of the sweeps whose actions are shown; `again` draws what has changed.
+function sweeps(campaign, open, again) {
   const row = (s) => {
     const counts = apart(s.jobs);
     return el("tr", {}, el("th", { scope: "row" }, el("a", { href: `/jobs?sweep=${encodeURIComponent(s.name)}` }, s.name)),
@@ -64,14 +65,14 @@ function sweeps(campaign) {
       states.map((k) => el("td", { class: "number" }, counts[k] ? whole(counts[k]) : el("span", { class: "zero" }, "0"))),
       el("td", { class: "number" }, s.jobs.stale ? whole(s.jobs.stale) : el("span", { class: "zero" }, "0")),
       el("td", { class: "number" }, s.core_hours_left === null ? none : digits(s.core_hours_left, 3)),
-      may_act() && el("td", {}, el("details", { class: "menu" }, el("summary", { "aria-label": `Actions on ${s.name}` }, "…"),
-        action_bar({ selection: { sweep: s.name } }, { stale: s.jobs.stale > 0 }))));
+      may_act() && el("td", {}, el("button", { type: "button", class: "more", "aria-label": `Actions on ${s.name}`, "aria-expanded": open.has(s.name), onclick: () => { open.has(s.name) ? open.delete(s.name) : open.add(s.name); again(); } }, "…")));
   };
+  const rows = (s) => [row(s), may_act() && open.has(s.name) && el("tr", {}, el("td", { class: "tools-row", colspan: 11 }, action_bar({ selection: { sweep: s.name } }, { stale: s.jobs.stale > 0 })))];
   return el("section", { class: "card" }, el("h2", {}, "Sweeps"),
     campaign.sweeps.length === 0 ? el("p", { class: "empty" }, "No sweep yet: eerie submit SWEEP gives it one.") :
     el("div", { class: "scroll" }, el("table", {}, el("thead", {}, el("tr", {}, el("th", {}, "sweep"), el("th", {}),
       [...states, "stale", "core-hours left"].map((k) => el("th", { class: "number" }, k)), may_act() && el("th", {}))),
-      el("tbody", {}, campaign.sweeps.map(row)))));
+      el("tbody", {}, campaign.sweeps.map(rows)))));
 }
 
 function failures(campaign) {
@@ -83,11 +84,12 @@ function failures(campaign) {
 
 export async function show_campaign(root, { signal }) {
   const first = el("div", { class: "stack" }), second = el("div", { class: "stack" });
+  const open = new Set();
+  let campaign = null;
+  const show = () => fill(first, head(campaign), sweeps(campaign, open, show), failures(campaign));
   const draw = async () => {
-    const campaign = await get("campaign", {}, signal);
-    // An open menu stays open.
-    if (first.querySelector("details[open]")) return;
-    fill(first, head(campaign), sweeps(campaign), failures(campaign));
+    campaign = await get("campaign", {}, signal);
+    show();
   };
   const spans = async () => fill(second, timeline((await get("timeline", {}, signal)).spans));
   await draw();

@@ -63,7 +63,7 @@ function plot(picture, reading, lines, options, width, height) {
   fill(picture,
     ticks(low, high, 4).map((t) => [svg("path", { class: "grid", d: `M${left} ${y(t)}H${width - right}` }),
       svg("text", { x: left - 6, y: y(t) + 4, "text-anchor": "end" }, tick_text(t))]),
-    x_ticks.map((t) => svg("text", { x: x(t), y: height - 8, "text-anchor": "middle" }, digits(t, 4))),
+    x_ticks.map((t) => svg("text", { x: Math.min(x(t), width - 20), y: height - 8, "text-anchor": "middle" }, digits(t, 5))),
     (options.marks ?? []).map((m) => svg("path", { class: "mark", d: `M${left} ${y(m.y)}H${width - right}` })),
     lines.map((line) => svg("path", { class: `line line-${line.kind}`, d: path_of(line, x, y) })), cursor);
   const show = (value) => {

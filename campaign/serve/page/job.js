@@ -80,7 +80,7 @@ export async function show_job(root, { signal, word }) {
   let view = null, plots = null;
   const draw = () => {
     fill(top, head(job));
-    fill(result, remnants(job), el("div", { class: "columns" }, scene(job), el("div", { class: "stack" }, attempts(job), provenance(job))));
+    fill(result, remnants(job), attempts(job), el("div", { class: "columns" }, scene(job), provenance(job)));
   };
   const draw_picture = () => {
     view = viewer(job.hash, job.snapshots, signal, { on_time: (t) => plots?.point_at(t) });

@@ -20,7 +20,7 @@ function classes_key(map) {
 
 const frame = { x: 0.5, y: 0.5, width: 15, height: 15 };
 const samples = {
-  eer: ["half and more EERs (b/a < 0.3)", () => svg("rect", { x: 1.5, y: 1.5, width: 13, height: 13, class: "eer-outline" })],
+  eer: ["half and more EERs (b/a < 0.3)", () => ["eer-halo", "eer-outline"].map((kind) => svg("rect", { x: 2, y: 2, width: 12, height: 12, class: kind }))],
   smaller: ["a smaller remnant is an EER", () => [svg("rect", { ...frame, class: "sample" }), svg("path", { class: "corner", d: "M15.5 0.5v9l-9 -9z" })]],
   unsettled: ["unsettled: will meet again", () => [svg("rect", { ...frame, class: "sample" }), svg("rect", { ...frame, fill: "url(#hatch)" })]],
   stale: ["stale: another solver version", () => [svg("rect", { ...frame, class: "sample" }), svg("rect", { ...frame, fill: "url(#rule)" })]],

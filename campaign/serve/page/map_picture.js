@@ -4,7 +4,7 @@ import { fill, svg } from "./dom.js";
 import { linear, ticks } from "./chart.js";
 import { digits, percent } from "./format.js";
 
-const margin = { left: 46, right: 12, top: 44, bottom: 46 };
+const margin = { left: 56, right: 12, top: 44, bottom: 46 };
 
 export function draw_map(place, view) {
   const { map } = view;

@@ -12,7 +12,7 @@
 namespace eerie::db {
 namespace {
 
-constexpr View views[] = {View::results, View::remnants, View::maps};
+constexpr View views[] = {View::results, View::remnants, View::maps, View::all_jobs};
 
 class ColumnMeanings : public testing::Test {
  protected:

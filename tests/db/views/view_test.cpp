@@ -115,5 +115,35 @@ TEST_F(Views, ShowAColumnOfALaterSchemaByThemselves) {
   EXPECT_FALSE(found.find("theta_imp_deg"));
 }
 
+TEST_F(Views, OfAllJobsHaveThoseWithoutAResultToo) {
+  NewJob waiting = sample_jobs(5).back();
+  add_sweep(connection, "later", "{}", std::vector{waiting});
+  const Connection reader(folder / "a.sqlite", Access::read);
+  const ViewQuery all{.view = View::all_jobs, .columns = {"v_imp_cm_per_s", "state", "b_over_a"}};
+  const ViewRows found = rows(reader, all);
+  ASSERT_EQ(found.rows.size(), 5u);
+  EXPECT_EQ(found.rows[0][1], Cell("done"));
+  EXPECT_EQ(found.rows[4][1], Cell("pending"));
+  EXPECT_EQ(found.rows[4][2], Cell());
+  ViewQuery page = all;
+  page.limit = 2, page.offset = 3;
+  EXPECT_EQ(rows(reader, page).rows[0][0], Cell(18.0));
+  EXPECT_EQ(rows(reader, page).rows.size(), 2u);
+}
+
+TEST_F(Views, AreSummedUpWhateverTheirLimit) {
+  ViewQuery query{.view = View::all_jobs, .limit = 1};
+  const std::vector<std::string> columns = {"q", "v_imp_cm_per_s", "class", "period_h", "state"};
+  ViewSummary found = summary(connection, query, columns);
+  EXPECT_EQ(found.rows, 4);
+  EXPECT_THAT(found.differing, ElementsAre("v_imp_cm_per_s", "class", "period_h"))
+      << "a missing value is another one";
+  query.conditions = {{.column = "class", .words = {"perfect-merging"}}};
+  found = summary(connection, query, columns);
+  EXPECT_EQ(found.rows, 3);
+  EXPECT_THAT(found.differing, ElementsAre("v_imp_cm_per_s"));
+  EXPECT_THROW(summary(connection, query, {"no such"}), Error);
+}
+
 }  // namespace
 }  // namespace eerie::db

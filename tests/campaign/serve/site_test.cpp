@@ -1,0 +1,161 @@
+#include "campaign/serve/site.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "campaign/job_folder/job_directory.hpp"
+#include "db/jobs/control.hpp"
+#include "solver/base/file.hpp"
+#include "tests/support/impact_database.hpp"
+#include "tests/support/program.hpp"
+
+namespace eerie::serve {
+namespace {
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Surveys at 40 deg: two speeds, two angles, two seeds each, b/a = 0.2 to 0.55; one failed, one
+/// pending, and a cell without a job.
+class SiteOfADatabase : public testing::Test {
+ protected:
+  SiteOfADatabase() {
+    std::vector<std::pair<json, double>> impacts;
+    for (const int v : {15, 20})
+      for (const int theta : {10, 15})
+        for (const int seed : {1, 2})
+          impacts.emplace_back(test::survey_scene(1, 40, v, theta, seed),
+                               0.2 + 0.02 * (v - 15) + 0.01 * (theta - 10) + 0.1 * (seed - 1));
+    test::add_impacts(connection, impacts);
+    const std::vector more = {sweeps::new_job(parse_scene(test::survey_scene(1, 40, 25, 10, 1))),
+                              sweeps::new_job(parse_scene(test::survey_scene(1, 40, 25, 15, 1)))};
+    add_sweep(connection, "more", "{}", more);
+    for (const db::Job& job : db::jobs(connection, {.state = db::JobState::pending})) {
+      if (job.theta_imp_deg != 10) continue;
+      db::begin_attempts(connection, std::vector{db::Start{job.id, "here", "7", "0.1.0"}});
+      db::AttemptEnd end = test::ended(db::ExitReason::failed);
+      end.failure_kind = "not-finite";
+      db::end_attempt(connection, job.id, end, db::JobState::failed);
+    }
+  }
+  json get(const std::string& path, const Parameters& parameters = {}) {
+    const Reply reply = site.answer(path, parameters);
+    EXPECT_EQ(reply.status, 200) << path << ": " << reply.body;
+    return json::parse(reply.body);
+  }
+  std::string first_hash() { return db::jobs(connection, {}).front().hash; }
+
+  test::TemporaryFolder folder;
+  db::Connection connection{folder / "a.sqlite", db::Access::write};
+  Events events{folder / "a.sqlite"};
+  Site site{folder / "a.sqlite", false, events};
+  const Parameters map = {{"q", "1"}, {"phi_d", "40"}, {"settings", "1"}};
+};
+
+TEST_F(SiteOfADatabase, CountsEachJobOnce) {
+  const json campaign = get("/api/campaign");
+  EXPECT_EQ(campaign["jobs"]["done"], 8);
+  EXPECT_EQ(campaign["jobs"]["failed"], 1);
+  EXPECT_EQ(campaign["jobs"]["total"], 10);
+  EXPECT_EQ(campaign["failures"][0]["kind"], "not-finite");
+  EXPECT_EQ(get("/api/timeline")["spans"].size(), 9u);
+}
+
+TEST_F(SiteOfADatabase, GivesAMapWithTheMeansOverSeeds) {
+  EXPECT_EQ(get("/api/maps")["maps"].size(), 1u);
+  const json m = get("/api/map", map);
+  EXPECT_EQ(m["v"]["at"], json({15.0, 20.0, 25.0}));
+  EXPECT_EQ(m["paper_cm_per_s"], 5.1);
+  ASSERT_EQ(m["cells"].size(), 6u);
+  std::map<std::string, int> states;
+  for (const json& cell : m["cells"]) {
+    ++states[cell["state"].get<std::string>()];
+    if (cell["results"] == 0) continue;
+    const double v = cell["v"], theta = cell["theta"];
+    EXPECT_NEAR(cell["b_over_a"][0].get<double>(), 0.25 + 0.02 * (v - 15) + 0.01 * (theta - 10),
+                1e-12);
+    EXPECT_NEAR(cell["b_over_a"][1].get<double>(), 0.1 / std::sqrt(2.0), 1e-12);
+    EXPECT_EQ(cell["colours"].size(), 7u) << "all quantities of `eerie map`";
+  }
+  EXPECT_EQ(states, (std::map<std::string, int>{{"done", 4}, {"failed", 1}, {"pending", 1}}));
+}
+
+TEST_F(SiteOfADatabase, PagesFiltersAndSortsAllJobs) {
+  json page = get("/api/jobs", {{"limit", "3"}, {"offset", "9"}});
+  EXPECT_EQ(page["total"], 10);
+  EXPECT_EQ(page["rows"].size(), 1u);
+  page = get("/api/jobs", {{"state", "failed"}});
+  EXPECT_EQ(page["total"], 1);
+  page = get("/api/jobs", {{"v", "15:20"}, {"where", "b_over_a=0:0.3"}, {"sort", "-b_over_a"}});
+  EXPECT_EQ(page["total"], 4);
+  std::vector<std::string> columns;
+  for (const json& column : page["columns"]) columns.push_back(column["name"]);
+  EXPECT_THAT(columns, testing::Contains("v_imp_cm_per_s"));
+  EXPECT_THAT(columns, testing::Not(testing::Contains("phi_d_deg"))) << "all have the same";
+  const auto k = std::ranges::find(columns, "b_over_a") - columns.begin();
+  EXPECT_DOUBLE_EQ(page["rows"][0][k].get<double>(), 0.3);
+  const Reply csv = site.answer("/api/jobs.csv", {{"state", "failed"}});
+  EXPECT_EQ(std::ranges::count(csv.body, '\n'), 2);
+  EXPECT_THAT(csv.body, StartsWith("hash,state,"));
+}
+
+TEST_F(SiteOfADatabase, ShowsWhatOfASceneDiffersFirst) {
+  const json job = get("/api/job/" + first_hash());
+  EXPECT_EQ(job["hash"], first_hash());
+  EXPECT_EQ(job["leaves"][0]["differs"], true);
+  std::map<std::string, json> differing;
+  for (const json& leaf : job["leaves"])
+    if (leaf["differs"] == true) differing[leaf["path"]] = leaf["value"];
+  EXPECT_TRUE(differing.contains("numerics.particles_per_target"));
+  EXPECT_FALSE(differing.contains("impact.q"));
+  EXPECT_EQ(get("/api/job/" + first_hash() + "/log")["text"], "");
+  EXPECT_EQ(get("/api/job/" + first_hash() + "/history")["columns"], json::object());
+  EXPECT_EQ(get("/api/job/" + first_hash().substr(0, 10))["hash"], first_hash());
+}
+
+TEST_F(SiteOfADatabase, FollowsALogFromWhereItWas) {
+  const auto directory = job_folder::job_folder(connection).of(first_hash());
+  std::filesystem::create_directories(directory.path);
+  install_text(directory.log(), "first\nsecond\n");
+  const std::string address = "/api/job/" + first_hash() + "/log";
+  EXPECT_EQ(get(address, {{"from", "6"}})["text"], "second\n");
+  EXPECT_EQ(get(address, {{"from", "13"}})["text"], "");
+  EXPECT_EQ(get(address, {{"from", "999"}})["text"], "first\nsecond\n") << "it was made anew";
+}
+
+TEST_F(SiteOfADatabase, AnswersEveryAddressOfThePageWithIt) {
+  for (const char* path : {"/", "/campaign", "/map", "/jobs", "/job/0123456789ab", "/compare"})
+    EXPECT_THAT(site.answer(path, {}).type, HasSubstr("text/html")) << path;
+  const Reply script = site.answer("/page/main.js", {});
+  EXPECT_THAT(script.type, HasSubstr("text/javascript"));
+  EXPECT_FALSE(script.etag.empty());
+}
+
+TEST_F(SiteOfADatabase, SaysWhatIsWrongWithAnAddress) {
+  for (const char* path : {"/api/nothing", "/page/../campaign/main.cpp", "/page/", "/etc/passwd",
+                           "/../../etc/passwd", "/api/", "/map/"})
+    EXPECT_EQ(site.answer(path, {}).status, 404) << path;
+  EXPECT_EQ(site.answer("/api/job/" + first_hash() + "/../..", {}).status, 404);
+  EXPECT_EQ(site.answer("/api/job/../../x", {}).status, 400);
+  EXPECT_EQ(site.answer("/api/job/ffffffff", {}).status, 400) << "no such job";
+  EXPECT_EQ(site.answer("/api/map", {{"q", "one"}}).status, 400);
+  EXPECT_EQ(site.answer("/api/map", {{"q", "7"}}).status, 400) << "no such map";
+  EXPECT_EQ(site.answer("/api/jobs", {{"limit", "100000000"}}).status, 400);
+  EXPECT_EQ(site.answer("/api/jobs", {{"sort", "job; DROP TABLE jobs"}}).status, 400);
+  EXPECT_THAT(site.answer("/api/jobs", {{"where", "b_ovr_a=1"}}).body, HasSubstr("closest"));
+  EXPECT_EQ(site.answer("/api/job/" + first_hash() + "/particles", {{"snapshot", "../../a.sqlite"}})
+                .status,
+            400);
+}
+
+TEST_F(SiteOfADatabase, ShowsAChangeOnceItIsSeen) {
+  EXPECT_EQ(get("/api/campaign")["jobs"]["pending"], 1);
+  connection.write([](auto& sql) { db::cancel(sql, {}); });
+  EXPECT_TRUE(test::eventually([&] { return get("/api/campaign")["jobs"]["cancelled"] == 2; }));
+}
+
+}  // namespace
+}  // namespace eerie::serve

@@ -1,0 +1,82 @@
+"""A headless Chromium on a dashboard, and what tests ask of it."""
+
+import json
+import time
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+
+PATIENCE_S = 60
+
+
+class Browser:
+    def __init__(self, base, token=""):
+        options = Options()
+        options.binary_location = "/usr/bin/chromium"
+        for argument in ["--headless=new", "--no-sandbox", "--hide-scrollbars",
+                         "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]:
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        self.base = base
+        self.size(1280, 900)
+        if token:
+            self.driver.get(f"{base}/#token={token}")
+            self.until(lambda: "token" not in self.driver.current_url, "the token leaves the address")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *problem):
+        self.driver.quit()
+
+    def size(self, width, height, dark=False):
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [
+            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]})
+
+    def open(self, path):
+        self.driver.get(self.base + path)
+        self.ready(path)
+
+    def ready(self, path):
+        wanted = path.split("?")[0]
+        self.until(lambda: self.js("return document.getElementById('view').dataset.ready") == wanted,
+                   f"{path} is shown")
+
+    def js(self, script, *arguments):
+        return self.driver.execute_script(script, *arguments)
+
+    def all(self, selector):
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def one(self, selector):
+        self.until(lambda: self.all(selector), f"there is {selector}")
+        return self.all(selector)[0]
+
+    def text(self, selector="main"):
+        return self.one(selector).text
+
+    def until(self, condition, what, patience=PATIENCE_S):
+        end = time.time() + patience
+        while time.time() < end:
+            if condition():
+                return
+            time.sleep(0.05)
+        raise AssertionError(f"not within {patience} s: {what}\n{self.said()}")
+
+    def said(self):
+        return json.dumps(self.driver.get_log("browser"), indent=1)
+
+    def complaints(self):
+        """What the page's scripts and the content security policy complained of."""
+        return [entry["message"] for entry in self.driver.get_log("browser")
+                if entry["level"] == "SEVERE" and "/api/events" not in entry["message"]]
+
+
+def expect(condition, what):
+    if not condition:
+        raise AssertionError(what)
