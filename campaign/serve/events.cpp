@@ -20,6 +20,12 @@ namespace {
 constexpr std::array<const char*, 3> kind_names = {"database", "work", "progress"};
 constexpr auto between_looks = 500ms;
 
+/// Of replies that took so long: until they may be made anew.
+std::chrono::nanoseconds pause_after(std::int64_t spent_ns) {
+  constexpr std::int64_t times = 50;
+  return std::min<std::chrono::nanoseconds>(std::chrono::nanoseconds(times * spent_ns), 60s);
+}
+
 /// How far each running job is, by its hash.
 json progress_of(const db::Connection& connection) {
   const JobFolder folder = job_folder(connection);
@@ -118,6 +124,8 @@ void Events::tell(Kind kind, std::string text) {
 
 void Events::look_again_and_again() {
   std::unique_ptr<Watch> watch;
+  auto told = std::chrono::steady_clock::now();
+  bool untold = false;
   for (;;) {
     bool somebody_listens = false;
     {
@@ -127,7 +135,12 @@ void Events::look_again_and_again() {
     }
     try {
       if (!watch) watch = std::make_unique<Watch>(path_);
-      if (watch->has_changed()) tell(of_database, json{{"generation", ++generation_}}.dump());
+      untold = watch->has_changed() || untold;
+      if (const auto now = std::chrono::steady_clock::now();
+          untold && now - told >= pause_after(spent_ns_)) {
+        untold = false, told = now, spent_ns_ = 0;
+        tell(of_database, json{{"generation", ++generation_}}.dump());
+      }
       tell(of_work, work_json(path_).dump());
       if (somebody_listens) tell(of_progress, progress_of(watch->connection()).dump());
     } catch (const db::Error& error) {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "campaign/job_directory.hpp"
-#include "campaign/manager.hpp"
-#include "campaign/silence.hpp"
-#include "db/query.hpp"
+#include "campaign/job_folder/job_directory.hpp"
+#include "campaign/manager/manager.hpp"
+#include "campaign/manager/silence.hpp"
+#include "db/views/query.hpp"
 
 namespace eerie::serve {
 
@@ -20,9 +20,9 @@ struct Overview {
   std::vector<db::FailureGroup> failures;
   db::Speed speed;
   std::optional<std::string> holder;
-  std::optional<CampaignView> at_work;  ///< as the manager says
-  std::vector<Silence> silent;
-  JobFolder folder;
+  std::optional<manager::CampaignView> at_work;  ///< as the manager says
+  std::vector<manager::Silence> silent;
+  job_folder::JobFolder folder;
   std::optional<std::string> no_room = {};  ///< asked here: a manager on a full disk cannot say it
 };
 Overview overview_of(const db::Connection& connection);

@@ -7,14 +7,14 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "analysis/clumps.hpp"
-#include "analysis/hull.hpp"
-#include "analysis/origin.hpp"
-#include "analysis/palette.hpp"
+#include "analysis/drawing/palette.hpp"
 #include "analysis/pictures/particle_view.hpp"
-#include "analysis/remnants.hpp"
-#include "analysis/shape.hpp"
-#include "campaign/snapshot_series.hpp"
+#include "analysis/remnants/clumps.hpp"
+#include "analysis/remnants/origin.hpp"
+#include "analysis/remnants/remnants.hpp"
+#include "analysis/shapes/hull.hpp"
+#include "analysis/shapes/shape.hpp"
+#include "campaign/job_folder/snapshot_files.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/snapshot.hpp"
 
@@ -43,16 +43,16 @@ struct Picture {
 
 json to_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-Vec3 mean(const std::vector<Vec3>& values, const Clump& of) {
+Vec3 mean(const std::vector<Vec3>& values, const remnants::Clump& of) {
   Vec3 sum;
   for (const std::uint32_t i : of) sum += values[i];
   return sum / static_cast<double>(of.size());
 }
 
-json remnant_json(int rank, const State& state, const Clump& clump, const Vec3& origin) {
+json remnant_json(int rank, const particles::State& state, const remnants::Clump& clump, const Vec3& origin) {
   std::vector<Vec3> x;
   for (const std::uint32_t i : clump) x.push_back(state.x[i]);
-  const Shape shape = ellipsoid_of_inertia(x);
+  const shapes::Shape shape = shapes::ellipsoid_of_inertia(x);
   json axes = json::array();
   for (const Vec3& axis : shape.axes) axes.push_back(to_json(axis));
   return {{"rank", rank},
@@ -63,14 +63,14 @@ json remnant_json(int rank, const State& state, const Clump& clump, const Vec3& 
 }
 
 /// Clumps come from the largest on, and all particles have one mass: their order is the rank.
-void look_at_clumps(Picture& p, const State& state, const Vec3& origin) {
+void look_at_clumps(Picture& p, const particles::State& state, const Vec3& origin) {
   p.speed.resize(state.size()), p.remnant.assign(state.size(), 0);
   int rank = 0;
-  for (const Clump& clump :
-       friends_of_friends(state.x, state.id, linking_length_over_h * state.h)) {
+  for (const remnants::Clump& clump :
+       remnants::friends_of_friends(state.x, state.id, remnants::linking_length_over_h * state.h)) {
     const Vec3 v = mean(state.v, clump);
     for (const std::uint32_t i : clump) p.speed[i] = norm(state.v[i] - v);
-    if (clump.size() < remnant_min_particles) continue;
+    if (clump.size() < remnants::remnant_min_particles) continue;
     ++rank;
     for (const std::uint32_t i : clump)
       p.remnant[i] = static_cast<std::uint8_t>(std::min(rank, last_rank + 1));
@@ -78,12 +78,12 @@ void look_at_clumps(Picture& p, const State& state, const Vec3& origin) {
   }
 }
 
-std::vector<double> depths_of(const Snapshot& snapshot, const JobDirectory& directory) {
+std::vector<double> depths_of(const io::Snapshot& snapshot, const job_folder::JobDirectory& directory) {
   std::vector<double> by_id;
   if (snapshot.state.time == 0) {
-    by_id = initial_depths(snapshot);
+    by_id = remnants::initial_depths(snapshot);
   } else if (std::error_code missing; fs::exists(directory.first_snapshot(), missing)) {
-    by_id = initial_depths(read_snapshot(directory.first_snapshot()));
+    by_id = remnants::initial_depths(io::read_snapshot(directory.first_snapshot()));
   }
   std::vector<double> depth(snapshot.state.size(), 0);
   if (by_id.size() == depth.size())
@@ -92,7 +92,7 @@ std::vector<double> depths_of(const Snapshot& snapshot, const JobDirectory& dire
 }
 
 /// Ids are fixed for the whole run: a particle that is there once is there in all snapshots.
-std::vector<std::size_t> kept(const State& state, std::size_t most) {
+std::vector<std::size_t> kept(const particles::State& state, std::size_t most) {
   const std::size_t stride = (state.size() + most - 1) / std::max<std::size_t>(most, 1);
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < state.size(); ++i)
@@ -113,8 +113,11 @@ json range(std::vector<double> values) {
 json colours_json() {
   json stops = json::array();
   for (int k = 0; k < colour_stops; ++k)
-    stops.push_back(hex(quantity_colour(static_cast<double>(k) / (colour_stops - 1))));
-  return {{"bodies", {hex(target_colour), hex(impactor_colour)}}, {"stops", std::move(stops)}};
+    stops.push_back(
+        drawing::hex(drawing::quantity_colour(static_cast<double>(k) / (colour_stops - 1))));
+  return {
+      {"bodies", {drawing::hex(pictures::target_colour), drawing::hex(pictures::impactor_colour)}},
+      {"stops", std::move(stops)}};
 }
 
 template <class T>
@@ -128,15 +131,15 @@ void append(std::string& bytes, const std::vector<double>& values,
   for (const std::size_t i : order) append(bytes, static_cast<float>(values[i]));
 }
 
-std::string packed(const Snapshot& snapshot, const Picture& p, const Vec3& origin,
+std::string packed(const io::Snapshot& snapshot, const Picture& p, const Vec3& origin,
                    std::size_t most) {
-  const State& state = snapshot.state;
+  const particles::State& state = snapshot.state;
   const std::vector<std::size_t> order = kept(state, most);
   std::string head = json{
       {"n", order.size()},
       {"of", state.size()},
       {"time_s", state.time},
-      {"radius_m", particle_radius(snapshot)},
+      {"radius_m", shapes::particle_radius(snapshot)},
       {"ranges",
        {{"depth", range(p.depth)}, {"speed", range(p.speed)}, {"pressure", range(p.pressure)}}},
       {"remnants", p.remnants},
@@ -159,11 +162,11 @@ std::string packed(const Snapshot& snapshot, const Picture& p, const Vec3& origi
 
 }  // namespace
 
-json snapshots_json(const JobDirectory& directory) {
+json snapshots_json(const job_folder::JobDirectory& directory) {
   json list = json::array();
   const std::lock_guard lock(one_reader());
   try {
-    for (const SnapshotFile& file : snapshot_series(directory.path))
+    for (const job_folder::SnapshotFile& file : job_folder::snapshot_series(directory.path))
       list.push_back({{"name", file.path.filename().string()}, {"time_s", file.time}});
   } catch (const InputError&) {
     // None yet, or a worker writes the first one: the page shows what there is.
@@ -171,13 +174,14 @@ json snapshots_json(const JobDirectory& directory) {
   return {{"snapshots", std::move(list)}};
 }
 
-std::string particles(const JobDirectory& directory, const std::string& name, std::size_t most) {
+std::string particles(const job_folder::JobDirectory& directory, const std::string& name,
+                      std::size_t most) {
   // Only names that are in the list are ever opened: none leads out of the folder.
   const std::lock_guard lock(one_reader());
-  for (const SnapshotFile& file : snapshot_series(directory.path)) {
+  for (const job_folder::SnapshotFile& file : job_folder::snapshot_series(directory.path)) {
     if (file.path.filename() != name) continue;
-    const Snapshot snapshot = read_snapshot(file.path);
-    Clump all(snapshot.state.size());
+    const io::Snapshot snapshot = io::read_snapshot(file.path);
+    remnants::Clump all(snapshot.state.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
     const Vec3 origin = mean(snapshot.state.x, all);
     Picture picture;

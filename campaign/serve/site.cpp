@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -53,6 +55,13 @@ constexpr View views[] = {
      }},
 };
 
+/// Of this thread.
+std::chrono::nanoseconds processor_time() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
+}
+
 std::string key_of(const std::string& name, const Parameters& parameters) {
   std::string key = name;
   for (const auto& [one, value] : parameters) key += '\n' + one + '=' + value;
@@ -97,7 +106,7 @@ constexpr std::array pages = {"/", "/campaign", "/map", "/jobs", "/compare"};
 
 }  // namespace
 
-Site::Site(fs::path database, bool read_only, const Events& events)
+Site::Site(fs::path database, bool read_only, Events& events)
     : database_(std::move(database)), read_only_(read_only), events_(events) {}
 
 Reply Site::answer(const std::string& path, const Parameters& parameters) {
@@ -123,7 +132,10 @@ Reply Site::api(const std::string& name, const Parameters& parameters) {
   const auto* view = std::ranges::find(views, name, &View::name);
   if (view == std::end(views)) throw NotFound{};
   const auto make = [&] {
-    return view->make(db::Connection(database_, db::Access::read), parameters);
+    const auto before = processor_time();
+    Reply reply = view->make(db::Connection(database_, db::Access::read), parameters);
+    events_.note_cost(processor_time() - before);
+    return reply;
   };
   // A table of all jobs may be large, and is asked for once.
   if (name == "jobs.csv") return make();

@@ -14,7 +14,7 @@ namespace eerie::serve {
 /// address opens a connection of its own, which reads and cannot write.
 class Site {
  public:
-  Site(std::filesystem::path database, bool read_only, const Events& events);
+  Site(std::filesystem::path database, bool read_only, Events& events);
 
   /// Never throws: what goes wrong is a reply with {"error": ...}.
   Reply answer(const std::string& path, const Parameters& parameters);
@@ -26,7 +26,7 @@ class Site {
 
   std::filesystem::path database_;
   bool read_only_;
-  const Events& events_;
+  Events& events_;
   Cache cache_;
 };
 

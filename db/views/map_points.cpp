@@ -11,6 +11,31 @@
 namespace eerie::db {
 namespace {
 
+/// The columns of select_jobs in their order: by name each would be looked up for every job.
+namespace at {
+enum Column {
+  q,
+  phi_d_deg,
+  v_imp_cm_per_s,
+  theta_imp_deg,
+  v_over_v_esc,
+  particles_per_target,
+  settings,
+  fidelity,
+  state,
+  running,
+  outcome,
+  b_over_a,
+  c_over_a,
+  period_h,
+  m_lr_over_m_total,
+  n_eer,
+  eer,
+  settled,
+  stale,
+};
+}  // namespace at
+
 constexpr const char* select_jobs = R"sql(
 SELECT j.q, j.phi_d_deg, j.v_imp_cm_per_s, j.theta_imp_deg, j.v_over_v_esc, j.particles_per_target,
        j.settings, j.fidelity, j.state, iif(j.state = 'running', j.hash, NULL) AS running,
@@ -36,13 +61,13 @@ void bind_named(SQLite::Statement& select, const char* name, const std::optional
 
 MapPoint place(const SQLite::Statement& row) {
   MapPoint p;
-  p.q = row.getColumn("q").getDouble();
-  p.phi_d_deg = row.getColumn("phi_d_deg").getDouble();
-  p.v_imp_cm_per_s = row.getColumn("v_imp_cm_per_s").getDouble();
-  p.theta_imp_deg = row.getColumn("theta_imp_deg").getDouble();
-  p.v_over_v_esc = row.getColumn("v_over_v_esc").getDouble();
-  p.particles_per_target = row.getColumn("particles_per_target").getInt64();
-  p.settings = row.getColumn("settings").getInt64();
+  p.q = row.getColumn(at::q).getDouble();
+  p.phi_d_deg = row.getColumn(at::phi_d_deg).getDouble();
+  p.v_imp_cm_per_s = row.getColumn(at::v_imp_cm_per_s).getDouble();
+  p.theta_imp_deg = row.getColumn(at::theta_imp_deg).getDouble();
+  p.v_over_v_esc = row.getColumn(at::v_over_v_esc).getDouble();
+  p.particles_per_target = row.getColumn(at::particles_per_target).getInt64();
+  p.settings = row.getColumn(at::settings).getInt64();
   return p;
 }
 
@@ -58,27 +83,27 @@ void note(std::vector<double>& numbers, const SQLite::Column& column) {
 /// A job of the place.
 void add(MapPoint& p, const SQLite::Statement& row) {
   ++p.jobs;
-  if (const SQLite::Column name = row.getColumn("fidelity"); !name.isNull())
+  if (const SQLite::Column name = row.getColumn(at::fidelity); !name.isNull())
     p.fidelity = name.getString();
-  const std::string state = row.getColumn("state").getString();
+  const std::string state = row.getColumn(at::state).getString();
   p.done += state == name(job_state_names, JobState::done);
   p.failed += state == name(job_state_names, JobState::failed);
   p.cancelled += state == name(job_state_names, JobState::cancelled);
-  if (const SQLite::Column hash = row.getColumn("running"); !hash.isNull())
+  if (const SQLite::Column hash = row.getColumn(at::running); !hash.isNull())
     p.running.push_back(hash.getString());
-  if (row.getColumn("class").isNull()) return;
+  if (row.getColumn(at::outcome).isNull()) return;
   ++p.results;
-  ++p.classes[row.getColumn("class").getString()];
-  const int n_eer = row.getColumn("n_eer").getInt(), eer = row.getColumn("eer").getInt() != 0;
+  ++p.classes[row.getColumn(at::outcome).getString()];
+  const int n_eer = row.getColumn(at::n_eer).getInt(), eer = row.getColumn(at::eer).getInt() != 0;
   p.largest_is_eer += eer;
   p.smaller_is_eer += n_eer > eer;
-  p.unsettled += row.getColumn("settled").getInt() == 0;
-  p.stale += row.getColumn("stale").getInt() != 0;
-  note(p.b_over_a, row.getColumn("b_over_a"));
-  note(p.c_over_a, row.getColumn("c_over_a"));
-  note(p.period_h, row.getColumn("period_h"));
-  note(p.m_lr_over_m_total, row.getColumn("m_lr_over_m_total"));
-  note(p.n_eer, row.getColumn("n_eer"));
+  p.unsettled += row.getColumn(at::settled).getInt() == 0;
+  p.stale += row.getColumn(at::stale).getInt() != 0;
+  note(p.b_over_a, row.getColumn(at::b_over_a));
+  note(p.c_over_a, row.getColumn(at::c_over_a));
+  note(p.period_h, row.getColumn(at::period_h));
+  note(p.m_lr_over_m_total, row.getColumn(at::m_lr_over_m_total));
+  note(p.n_eer, row.getColumn(at::n_eer));
 }
 
 }  // namespace
