@@ -1,5 +1,6 @@
 #include "campaign/serve/map_json.hpp"
 
+#include <SQLiteCpp/Column.h>
 #include <SQLiteCpp/Statement.h>
 #include <fmt/format.h>
 

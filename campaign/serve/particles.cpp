@@ -49,7 +49,8 @@ Vec3 mean(const std::vector<Vec3>& values, const remnants::Clump& of) {
   return sum / static_cast<double>(of.size());
 }
 
-json remnant_json(int rank, const particles::State& state, const remnants::Clump& clump, const Vec3& origin) {
+json remnant_json(int rank, const particles::State& state, const remnants::Clump& clump,
+                  const Vec3& origin) {
   std::vector<Vec3> x;
   for (const std::uint32_t i : clump) x.push_back(state.x[i]);
   const shapes::Shape shape = shapes::ellipsoid_of_inertia(x);
@@ -78,7 +79,8 @@ void look_at_clumps(Picture& p, const particles::State& state, const Vec3& origi
   }
 }
 
-std::vector<double> depths_of(const io::Snapshot& snapshot, const job_folder::JobDirectory& directory) {
+std::vector<double> depths_of(const io::Snapshot& snapshot,
+                              const job_folder::JobDirectory& directory) {
   std::vector<double> by_id;
   if (snapshot.state.time == 0) {
     by_id = remnants::initial_depths(snapshot);
