@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "campaign/inbox.hpp"
-#include "campaign/json_file.hpp"
-#include "campaign/request.hpp"
-#include "campaign/sweep.hpp"
-#include "db/control.hpp"
-#include "db/error.hpp"
-#include "db/lock.hpp"
+#include "campaign/manager/inbox.hpp"
+#include "campaign/manager/request.hpp"
+#include "campaign/sweeps/sweep.hpp"
+#include "campaign/text/json_file.hpp"
+#include "db/jobs/control.hpp"
+#include "db/store/error.hpp"
+#include "db/store/lock.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::serve {
@@ -28,14 +28,14 @@ constexpr std::array kinds = {"submit", "pause",    "resume",     "cancel",
 constexpr auto patience = std::chrono::seconds(4);
 
 /// An empty selection means every job: the page has to say that it means it.
-void require_meant(const Request& request, const json& document) {
+void require_meant(const manager::Request& request, const json& document) {
   if (request.kind == "submit" || !request.selection.is_everything() ||
       document.value("all", false))
     return;
   throw InputError("selection: says nothing; name jobs or a sweep, or \"all\": true for every job");
 }
 
-void require_usable(const Request& request, const json& document) {
+void require_usable(const manager::Request& request, const json& document) {
   if (std::ranges::find(kinds, request.kind) == kinds.end())
     throw InputError(
         fmt::format("kind = {}: must be one of submit, pause, resume, cancel, retry, "
@@ -50,15 +50,15 @@ void require_usable(const Request& request, const json& document) {
       throw InputError(fmt::format("hash = {}: must be 4 to 64 digits 0-9, a-f", hash));
   // Mistakes in a sweep are told here and now.
   if (request.kind == "submit")
-    expand(parse_sweep(parse_json(request.sweep, "sweep"), {}, "sweep"));
+    sweeps::expand(sweeps::parse_sweep(text::parse_json(request.sweep, "sweep"), {}, "sweep"));
 }
 
-Request request_of(const std::string& body) {
-  json document = parse_json(body, "action");
+manager::Request request_of(const std::string& body) {
+  json document = text::parse_json(body, "action");
   if (!document.is_object()) throw InputError("action: must be an object");
-  document["id"] = new_request_id();
+  document["id"] = manager::new_request_id();
   if (!document.contains("selection")) document["selection"] = json::object();
-  const Request request = parse_request(document, "action");
+  const manager::Request request = manager::parse_request(document, "action");
   try {
     require_usable(request, document);
   } catch (const json::exception& error) {
@@ -74,8 +74,8 @@ std::optional<std::string> answer_in(const fs::path& database, const std::string
 }  // namespace
 
 Reply act(const fs::path& database, const std::string& body) {
-  const Request request = request_of(body);
-  Inbox(database).put(request);
+  const manager::Request request = request_of(body);
+  manager::Inbox(database).put(request);
   if (!db::lock_holder(database))
     return json_reply({{"waits",
                         "nobody works on the database: whoever does next carries it out "

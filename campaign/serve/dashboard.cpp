@@ -9,8 +9,8 @@
 #include "campaign/serve/events.hpp"
 #include "campaign/serve/guarded_server.hpp"
 #include "campaign/serve/site.hpp"
-#include "db/connection.hpp"
-#include "db/error.hpp"
+#include "db/store/connection.hpp"
+#include "db/store/error.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::serve {

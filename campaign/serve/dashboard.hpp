@@ -8,8 +8,8 @@ namespace eerie::serve {
 
 struct DashboardOptions {
   std::filesystem::path database;
-  int port = 8765;      ///< 0: any that is free
-  std::string address;  ///< to listen on; empty: 127.0.0.1
+  int port = 8765;           ///< 0: any that is free
+  std::string address = {};  ///< to listen on; empty: 127.0.0.1
   bool read_only = false;
 };
 

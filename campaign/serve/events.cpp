@@ -5,11 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/job_directory.hpp"
-#include "campaign/serve/overview.hpp"
-#include "db/connection.hpp"
-#include "db/error.hpp"
-#include "db/jobs.hpp"
+#include "campaign/job_folder/job_directory.hpp"
+#include "campaign/serve/views/overview.hpp"
+#include "db/jobs/jobs.hpp"
+#include "db/store/connection.hpp"
+#include "db/store/error.hpp"
 
 namespace eerie::serve {
 using nlohmann::json;
@@ -28,10 +28,10 @@ std::chrono::nanoseconds pause_after(std::int64_t spent_ns) {
 
 /// How far each running job is, by its hash.
 json progress_of(const db::Connection& connection) {
-  const JobFolder folder = job_folder(connection);
+  const job_folder::JobFolder folder = job_folder::job_folder(connection);
   json parts = json::object();
   for (const db::Job& job : db::jobs(connection, {.state = db::JobState::running}))
-    if (const auto p = read_progress(folder.of(job.hash)); p && p->expected_end_s > 0)
+    if (const auto p = job_folder::read_progress(folder.of(job.hash)); p && p->expected_end_s > 0)
       parts[job.hash] = {{"part", std::min(1.0, p->time_s / p->expected_end_s)},
                          {"time_s", p->time_s},
                          {"step", p->step}};

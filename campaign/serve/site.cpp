@@ -7,16 +7,16 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "campaign/cli/find_job.hpp"
-#include "campaign/job_directory.hpp"
-#include "campaign/provenance.hpp"
+#include "campaign/job_folder/job_directory.hpp"
+#include "campaign/job_folder/provenance.hpp"
+#include "campaign/queries/find_job.hpp"
 #include "campaign/serve/assets.hpp"
-#include "campaign/serve/job_report.hpp"
-#include "campaign/serve/jobs_json.hpp"
-#include "campaign/serve/map_json.hpp"
-#include "campaign/serve/overview.hpp"
-#include "campaign/serve/particles.hpp"
-#include "db/error.hpp"
+#include "campaign/serve/views/job_report.hpp"
+#include "campaign/serve/views/jobs_json.hpp"
+#include "campaign/serve/views/map_json.hpp"
+#include "campaign/serve/views/overview.hpp"
+#include "campaign/serve/views/particles.hpp"
+#include "db/store/error.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::serve {
@@ -69,7 +69,7 @@ std::string key_of(const std::string& name, const Parameters& parameters) {
 }
 
 /// The log from a place on, a piece of it at most: {"text", "next", "size"}.
-Reply log_reply(const JobDirectory& directory, std::int64_t from) {
+Reply log_reply(const job_folder::JobDirectory& directory, std::int64_t from) {
   constexpr std::int64_t piece = 1 << 18;
   std::ifstream in(directory.log(), std::ios::binary | std::ios::ate);
   const std::int64_t size = in ? static_cast<std::int64_t>(in.tellg()) : 0;
@@ -85,7 +85,8 @@ Reply log_reply(const JobDirectory& directory, std::int64_t from) {
 Reply job_reply(const db::Connection& connection, const db::Job& job) {
   json report = job_report(connection, job);
   report["leaves"] = scene_leaves(report.at("scene"));
-  report["snapshots"] = snapshots_json(job_folder(connection).of(job.hash)).at("snapshots");
+  report["snapshots"] =
+      snapshots_json(job_folder::job_folder(connection).of(job.hash)).at("snapshots");
   return json_reply(report);
 }
 
@@ -122,7 +123,7 @@ Reply Site::answer(const std::string& path, const Parameters& parameters) {
 
 Reply Site::api(const std::string& name, const Parameters& parameters) {
   if (name == "about") {
-    const Provenance source = provenance();
+    const job_folder::Provenance source = job_folder::provenance();
     return json_reply({{"database", fs::absolute(database_).filename().string()},
                        {"path", fs::absolute(database_).string()},
                        {"read_only", read_only_},
@@ -146,9 +147,9 @@ Reply Site::of_job(const std::string& address, const Parameters& parameters) {
   const std::size_t slash = address.find('/');
   const std::string what = slash == std::string::npos ? "" : address.substr(slash + 1);
   const db::Connection connection(database_, db::Access::read);
-  const db::Job job = cli::find_job(connection, address.substr(0, slash));
+  const db::Job job = queries::find_job(connection, address.substr(0, slash));
   if (what.empty()) return job_reply(connection, job);
-  const JobDirectory directory = job_folder(connection).of(job.hash);
+  const job_folder::JobDirectory directory = job_folder::job_folder(connection).of(job.hash);
   if (what == "history") return json_reply(history_json(connection, job));
   if (what == "snapshots") return json_reply(snapshots_json(directory));
   if (what == "log") return log_reply(directory, whole_number(parameters, "from").value_or(0));

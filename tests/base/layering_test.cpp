@@ -76,6 +76,13 @@ const std::map<std::string, Rooms> allowed = {
     {"campaign/maps",
      {"campaign/sweeps", "campaign/text", "db/store", "db/jobs", "db/views", "analysis/paper",
       "analysis/remnants", "analysis/statistics", "analysis/diagrams"}},
+    // The dashboard reads all and runs nothing.
+    {"campaign/serve",
+     {"campaign/manager", "campaign/maps", "campaign/queries", "campaign/results",
+      "campaign/job_folder", "campaign/sweeps", "campaign/text", "db/store", "db/jobs", "db/views",
+      "analysis/diagrams", "analysis/drawing", "analysis/paper", "analysis/pictures",
+      "analysis/remnants", "analysis/shapes", "analysis/statistics", "solver/io",
+      "solver/particles"}},
     {"campaign/catalogue",
      {"campaign/sweeps", "campaign/text", "db/store", "db/jobs", "db/views", "analysis/paper",
       "analysis/remnants"}},

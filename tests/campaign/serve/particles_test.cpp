@@ -1,4 +1,4 @@
-#include "campaign/serve/particles.hpp"
+#include "campaign/serve/views/particles.hpp"
 
 #include <gtest/gtest.h>
 

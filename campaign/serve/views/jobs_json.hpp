@@ -4,7 +4,7 @@
 #include <string>
 
 #include "campaign/serve/reply.hpp"
-#include "db/connection.hpp"
+#include "db/store/connection.hpp"
 
 namespace eerie::serve {
 

@@ -1,14 +1,14 @@
-#include "campaign/serve/jobs_json.hpp"
+#include "campaign/serve/views/jobs_json.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "campaign/cli/filter_options.hpp"
-#include "campaign/cli/view_text.hpp"
-#include "db/column_meanings.hpp"
-#include "db/view.hpp"
+#include "campaign/queries/filter.hpp"
+#include "campaign/results/view_tables.hpp"
+#include "db/views/column_meanings.hpp"
+#include "db/views/view.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::serve {
@@ -26,7 +26,7 @@ const std::vector<std::string> outcome_columns = {
     "class", "b_over_a", "m_lr_over_m_total", "period_h", "n_eer", "settled", "stale", "wall_s"};
 
 db::ViewQuery query_of(const db::Connection& connection, const Parameters& p) {
-  cli::FilterArguments a;
+  queries::Filter a;
   a.q = number(p, "q"), a.phi_d_deg = number(p, "phi_d");
   a.v = word(p, "v"), a.theta = word(p, "theta");
   a.outcome_class = word(p, "class"), a.fidelity = word(p, "fidelity");
@@ -36,8 +36,8 @@ db::ViewQuery query_of(const db::Connection& connection, const Parameters& p) {
       a.where.push_back(fmt::format("{}={}", column, value));
   for (auto [at, end] = p.equal_range("where"); at != end; ++at)
     if (!at->second.empty()) a.where.push_back(at->second);
-  db::ViewQuery query = cli::filtered(connection, view, a);
-  query.sort = cli::parse_sort(word(p, "sort"), view, db::columns(connection, view));
+  db::ViewQuery query = queries::filtered(connection, view, a);
+  query.sort = queries::parse_sort(word(p, "sort"), view, db::columns(connection, view));
   return query;
 }
 
@@ -76,7 +76,7 @@ json jobs_json(const db::Connection& connection, const Parameters& p) {
   const std::size_t visible = query.columns.size();
   for (const std::string& column : parameter_columns)
     if (std::ranges::count(query.columns, column) == 0) query.columns.push_back(column);
-  const json records = cli::records(db::rows(connection, query));
+  const json records = results::records(db::rows(connection, query));
   json page = {{"total", found.rows},
                {"columns", json::array()},
                {"shared", json::array()},
@@ -100,7 +100,7 @@ json jobs_json(const db::Connection& connection, const Parameters& p) {
 std::string jobs_csv(const db::Connection& connection, const Parameters& p) {
   db::ViewQuery query = query_of(connection, p);
   query.columns = shown(db::summary(connection, query, parameter_columns));
-  return cli::csv(db::rows(connection, query));
+  return results::csv(db::rows(connection, query));
 }
 
 json cell_jobs_json(const db::Connection& connection, const Parameters& p) {
@@ -121,7 +121,7 @@ json cell_jobs_json(const db::Connection& connection, const Parameters& p) {
                    "settled",
                    "stale"};
   query.limit = 1000;
-  return {{"jobs", cli::records(db::rows(connection, query))}};
+  return {{"jobs", results::records(db::rows(connection, query))}};
 }
 
 }  // namespace eerie::serve

@@ -3,13 +3,13 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "campaign/job_directory.hpp"
+#include "campaign/job_folder/job_directory.hpp"
 
 namespace eerie::serve {
 
 /// {"snapshots": [{"name", "time_s"}]} of a job directory in order of time; none where there are
 /// none yet.
-nlohmann::json snapshots_json(const JobDirectory& directory);
+nlohmann::json snapshots_json(const job_folder::JobDirectory& directory);
 
 /// Particles in a picture, at most.
 inline constexpr std::size_t most_particles = 200'000;
@@ -23,7 +23,7 @@ inline constexpr std::size_t most_particles = 200'000;
 /// "pressure": [low, high]}, "remnants": [{"rank", "particles", "x", "axes", "lengths"}],
 /// "colours": {"bodies", "stops"}}. Above `most` particles every so many-th of them by id is
 /// there. `name` is one of snapshots_json(). Throws InputError for another.
-std::string particles(const JobDirectory& directory, const std::string& name,
+std::string particles(const job_folder::JobDirectory& directory, const std::string& name,
                       std::size_t most = most_particles);
 
 }  // namespace eerie::serve

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "db/connection.hpp"
-#include "db/rows.hpp"
+#include "db/jobs/rows.hpp"
+#include "db/store/connection.hpp"
 
 namespace eerie::serve {
 

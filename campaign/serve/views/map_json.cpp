@@ -1,4 +1,4 @@
-#include "campaign/serve/map_json.hpp"
+#include "campaign/serve/views/map_json.hpp"
 
 #include <SQLiteCpp/Column.h>
 #include <SQLiteCpp/Statement.h>

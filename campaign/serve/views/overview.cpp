@@ -1,11 +1,12 @@
-#include "campaign/serve/overview.hpp"
+#include "campaign/serve/views/overview.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/status_file.hpp"
-#include "db/jobs.hpp"
-#include "db/lock.hpp"
-#include "db/timeline.hpp"
+#include "campaign/manager/space_guard.hpp"
+#include "campaign/manager/status_file.hpp"
+#include "db/jobs/jobs.hpp"
+#include "db/store/lock.hpp"
+#include "db/views/timeline.hpp"
 
 namespace eerie::serve {
 namespace fs = std::filesystem;
@@ -27,7 +28,7 @@ json to_json(const db::SweepStatus& sweep, const db::Speed& speed) {
   return object;
 }
 
-json to_json(const CampaignView& at_work) {
+json to_json(const manager::CampaignView& at_work) {
   return {{"running", at_work.running},
           {"particle_steps_per_s", at_work.particle_steps_per_s},
           {"eta_s", at_work.eta_s},
@@ -45,13 +46,13 @@ Overview overview_of(const db::Connection& connection) {
              db::lock_holder(database),
              std::nullopt,
              {},
-             job_folder(connection)};
+             job_folder::job_folder(connection)};
   if (o.holder) {
-    o.at_work = read_status_file(database);
-    o.silent = silent_jobs(connection, o.folder);
+    o.at_work = manager::read_status_file(database);
+    o.silent = manager::silent_jobs(connection, o.folder);
     constexpr std::uintmax_t little = 1 << 20;
-    o.no_room = DiskGuard({fs::absolute(database).parent_path(), o.folder.root}, little)
-                    .complaint(DiskGuard::Clock::now());
+    o.no_room = manager::DiskGuard({fs::absolute(database).parent_path(), o.folder.root}, little)
+                    .complaint(manager::DiskGuard::Clock::now());
   }
   return o;
 }
@@ -77,14 +78,14 @@ json to_json(const Overview& o, const fs::path& database) {
                                   {"jobs", f.jobs},
                                   {"hash", f.example_hash},
                                   {"message", f.example_message}});
-  for (const Silence& s : o.silent)
+  for (const manager::Silence& s : o.silent)
     report["silent"].push_back({{"hash", s.hash}, {"host", s.host}, {"seconds", s.seconds}});
   return report;
 }
 
 json work_json(const fs::path& database) {
   const auto holder = db::lock_holder(database);
-  const auto at_work = holder ? read_status_file(database) : std::nullopt;
+  const auto at_work = holder ? manager::read_status_file(database) : std::nullopt;
   return {{"worked_on_by", or_null(holder)}, {"at_work", at_work ? to_json(*at_work) : json()}};
 }
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "db/map_points.hpp"
+#include "db/views/map_points.hpp"
 
 namespace eerie::serve {
 

@@ -1,4 +1,4 @@
-#include "db/timeline.hpp"
+#include "db/jobs/timeline.hpp"
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>

@@ -1,13 +1,13 @@
-#include "campaign/serve/job_report.hpp"
+#include "campaign/serve/views/job_report.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "campaign/history.hpp"
-#include "campaign/job_directory.hpp"
-#include "db/jobs.hpp"
-#include "db/query.hpp"
+#include "campaign/job_folder/history.hpp"
+#include "campaign/job_folder/job_directory.hpp"
+#include "db/jobs/jobs.hpp"
+#include "db/views/query.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie::serve {
@@ -40,7 +40,8 @@ json attempts_json(const std::vector<db::AttemptRow>& rows) {
 }
 
 /// Files of the job directory with their sizes, in order of their names.
-std::vector<std::pair<fs::path, std::uintmax_t>> files_of(const JobDirectory& directory) {
+std::vector<std::pair<fs::path, std::uintmax_t>> files_of(
+    const job_folder::JobDirectory& directory) {
   std::vector<std::pair<fs::path, std::uintmax_t>> files;
   std::error_code missing;
   for (const auto& entry : fs::directory_iterator(directory.path, missing))
@@ -63,11 +64,11 @@ std::string meaning_of(const std::string& path) {
 }  // namespace
 
 json job_report(const db::Connection& connection, const db::Job& job) {
-  const JobDirectory directory = job_folder(connection).of(job.hash);
+  const job_folder::JobDirectory directory = job_folder::job_folder(connection).of(job.hash);
   json files = json::array();
   for (const auto& [path, bytes] : files_of(directory))
     files.push_back({{"path", path.string()}, {"bytes", bytes}});
-  const auto progress = read_progress(directory);
+  const auto progress = job_folder::read_progress(directory);
   return {{"hash", job.hash},
           {"state", db::job_state_names.at(static_cast<std::size_t>(job.state))},
           {"wanted", db::wanted_names.at(static_cast<std::size_t>(job.wanted))},
@@ -77,8 +78,8 @@ json job_report(const db::Connection& connection, const db::Job& job) {
           {"sweeps", db::sweeps_of(connection, job.id)},
           {"scene", json::parse(db::scene(connection, job.id))},
           {"progress", progress ? to_json(*progress) : json()},
-          {"result", read_json(directory.result()).value_or(json())},
-          {"failure", read_json(directory.failure()).value_or(json())},
+          {"result", job_folder::read_json(directory.result()).value_or(json())},
+          {"failure", job_folder::read_json(directory.failure()).value_or(json())},
           {"attempts", attempts_json(db::attempts(connection, job.id))},
           {"directory", directory.path.string()},
           {"files", std::move(files)}};
@@ -110,7 +111,8 @@ json scene_leaves(const json& scene) {
 
 json history_json(const db::Connection& connection, const db::Job& job) {
   json columns = json::object();
-  for (const HistoryRow& row : read_history(job_folder(connection).of(job.hash).history()))
+  for (const job_folder::HistoryRow& row :
+       job_folder::read_history(job_folder::job_folder(connection).of(job.hash).history()))
     visit_columns(row,
                   [&](const char* name, const auto& value) { columns[name].push_back(value); });
   return {{"columns", std::move(columns)}};
