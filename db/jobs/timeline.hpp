@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "db/connection.hpp"
+#include "db/store/connection.hpp"
 
 namespace eerie::db {
 

@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-#include "campaign/cli/command_list.hpp"
-#include "campaign/cli/serve_options.hpp"
-#include "campaign/signals.hpp"
+#include "campaign/cli/options/command_list.hpp"
+#include "campaign/cli/running/serve_options.hpp"
+#include "campaign/process/signals.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::cli {
@@ -32,14 +32,14 @@ void open_browser(const std::string& address) {
   ::waitpid(child, nullptr, 0);
 }
 
-int serve_database(const ServeArguments& a) {
-  catch_stop_signals();
-  hold_signals();
+Answer serve_database(const ServeArguments& a) {
+  process::catch_stop_signals();
+  process::hold_signals();
   const serve::Dashboard dashboard(a.dashboard);
   print_address(dashboard, a.dashboard);
   if (a.open) open_browser(dashboard.address());
-  while (stop_requests() == 0) wait_for_signal(std::chrono::hours(1));
-  return static_cast<int>(ExitCode::done);
+  while (process::stop_requests() == 0) process::wait_for_signal(std::chrono::hours(1));
+  return {};
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ Action add_serve(CLI::App& app) {
   add_database(app, a->dashboard.database);
   add_dashboard(app, a->dashboard);
   app.add_flag("--open", a->open, "show it in the browser");
-  return [a] { return serve_database(*a); };
+  return [a](Output&) { return serve_database(*a); };
 }
 
 }  // namespace eerie::cli

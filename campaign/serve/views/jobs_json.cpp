@@ -76,7 +76,7 @@ json jobs_json(const db::Connection& connection, const Parameters& p) {
   const std::size_t visible = query.columns.size();
   for (const std::string& column : parameter_columns)
     if (std::ranges::count(query.columns, column) == 0) query.columns.push_back(column);
-  const json records = results::records(db::rows(connection, query));
+  const json records = text::records(results::plain_table(db::rows(connection, query)));
   json page = {{"total", found.rows},
                {"columns", json::array()},
                {"shared", json::array()},
@@ -100,7 +100,7 @@ json jobs_json(const db::Connection& connection, const Parameters& p) {
 std::string jobs_csv(const db::Connection& connection, const Parameters& p) {
   db::ViewQuery query = query_of(connection, p);
   query.columns = shown(db::summary(connection, query, parameter_columns));
-  return results::csv(db::rows(connection, query));
+  return text::csv(results::plain_table(db::rows(connection, query)));
 }
 
 json cell_jobs_json(const db::Connection& connection, const Parameters& p) {
@@ -121,7 +121,7 @@ json cell_jobs_json(const db::Connection& connection, const Parameters& p) {
                    "settled",
                    "stale"};
   query.limit = 1000;
-  return {{"jobs", results::records(db::rows(connection, query))}};
+  return {{"jobs", text::records(results::plain_table(db::rows(connection, query)))}};
 }
 
 }  // namespace eerie::serve

@@ -10,6 +10,7 @@
 #include "analysis/diagrams/map_quantity.hpp"
 #include "analysis/paper/threshold.hpp"
 #include "analysis/remnants/outcome.hpp"
+#include "analysis/statistics/ensemble.hpp"
 #include "analysis/statistics/map_axis.hpp"
 #include "campaign/maps/map.hpp"
 #include "db/views/view.hpp"
@@ -25,7 +26,10 @@ constexpr int colour_stops = 24;
 json or_null(const std::optional<double>& value) { return value ? json(*value) : json(); }
 
 /// [mean, standard deviation]
-json to_json(const db::Spread& s) { return {or_null(s.mean), or_null(s.std_dev)}; }
+json to_json(const std::vector<double>& numbers) {
+  const statistics::Ensemble e = statistics::ensemble(numbers);
+  return {or_null(statistics::mean_of(e)), or_null(statistics::deviation_of(e))};
+}
 
 json to_json(const statistics::MapAxis& axis) { return {{"at", axis.at}, {"edges", axis.edges}}; }
 
@@ -60,13 +64,13 @@ json cell_json(const diagrams::PhaseCell& cell, const db::MapPoint& p,
                  {"class_share", cell.class_share},
                  {"classes", p.classes},
                  {"smaller_eer", cell.smaller_eer},
-                 {"is_eer", p.p_eer() >= 0.5},
+                 {"is_eer", p.p_largest_eer() >= 0.5},
                  {"b_over_a", to_json(p.b_over_a)},
                  {"c_over_a", to_json(p.c_over_a)},
                  {"period_h", to_json(p.period_h)},
                  {"m_lr_over_m_total", to_json(p.m_lr_over_m_total)},
                  {"n_eer", to_json(p.n_eer)},
-                 {"p_eer", p.p_eer()}});
+                 {"p_eer", p.p_largest_eer()}});
   for (const diagrams::MapScale& scale : scales) {
     const std::string token(diagrams::name_of(scale.quantity).token);
     const auto value = diagrams::value_of(scale.quantity, cell);
@@ -124,7 +128,8 @@ json quantities_json(const std::vector<diagrams::MapScale>& scales) {
   json list = json::array();
   for (const diagrams::MapScale& scale : scales) {
     const diagrams::QuantityName& row = diagrams::name_of(scale.quantity);
-    list.push_back({{"token", row.token}, {"title", plain(row.title)}, {"scale", to_json(scale)}});
+    list.push_back(
+        {{"token", row.token}, {"title", plain(row.title.text)}, {"scale", to_json(scale)}});
   }
   return list;
 }

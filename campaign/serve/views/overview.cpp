@@ -5,8 +5,8 @@
 #include "campaign/manager/space_guard.hpp"
 #include "campaign/manager/status_file.hpp"
 #include "db/jobs/jobs.hpp"
+#include "db/jobs/timeline.hpp"
 #include "db/store/lock.hpp"
-#include "db/views/timeline.hpp"
 
 namespace eerie::serve {
 namespace fs = std::filesystem;
