@@ -22,8 +22,8 @@ std::string rests_on(const paper::FactCheck& f) {
   std::string text =
       fmt::format("{} particles ({}), {} runs, {}/{} impacts", f.settings.particles_per_target,
                   f.settings.name, f.runs, f.impacts, f.impacts_wanted);
-  if (f.split > 0) page += fmt::format(", {} split", f.split);
-  if (f.unsettled > 0) page += fmt::format(", {} unsettled", f.unsettled);
+  if (f.split > 0) text += fmt::format(", {} split", f.split);
+  if (f.unsettled > 0) text += fmt::format(", {} unsettled", f.unsettled);
   return text;
 }
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/text/table.hpp"
-#include "db/jobs/rows.hpp"
+#include "db/views/query.hpp"
 #include "db/store/connection.hpp"
 
 namespace eerie::results {

@@ -142,14 +142,16 @@ std::string csv(const Table& table) {
 
 std::string markdown(const Table& table) {
   std::string text;
-  for (auto cells = cells_of(table, parted(table).second); auto& row : cells) {
+  auto cells = cells_of(table, parted(table).second);
+  for (auto& row : cells) {
     for (std::string& cell : row)
       for (std::size_t at = 0; (at = cell.find('|', at)) != std::string::npos; at += 2)
         cell.insert(at, "\\");
     const bool is_header = text.empty();
     text += fmt::format("| {} |\n", fmt::join(row, " | "));
     if (is_header)
-      text += "|" + fmt::format("{}", fmt::join(std::vector(row.size(), "---"), "|")) + "|\n";
+      text += "|" + fmt::format("{}", fmt::join(std::vector<std::string>(row.size(), "---"), "|")) +
+              "|\n";
   }
   return text;
 }
