@@ -27,21 +27,15 @@ constexpr std::array kinds = {"submit", "pause",    "resume",     "cancel",
                               "retry",  "priority", "rerun-stale"};
 constexpr auto patience = std::chrono::seconds(4);
 
-/// An empty selection means every job: the page has to say that it means it.
-void require_meant(const manager::Request& request, const json& document) {
-  if (request.kind == "submit" || !request.selection.is_everything() ||
-      document.value("all", false))
-    return;
-  throw InputError("selection: says nothing; name jobs or a sweep, or \"all\": true for every job");
-}
-
-void require_usable(const manager::Request& request, const json& document) {
-  if (std::ranges::find(kinds, request.kind) == kinds.end())
+void require_known(const std::string& kind) {
+  if (std::ranges::find(kinds, kind) == kinds.end())
     throw InputError(
         fmt::format("kind = {}: must be one of submit, pause, resume, cancel, retry, "
                     "priority, rerun-stale",
-                    request.kind));
-  require_meant(request, document);
+                    kind));
+}
+
+void require_complete(const manager::Request& request) {
   if (request.kind == "priority" && !request.priority)
     throw InputError("priority: must be given, a whole number; higher ones come first");
   for (const std::string& hash : request.selection.hashes)
@@ -53,17 +47,27 @@ void require_usable(const manager::Request& request, const json& document) {
     sweeps::expand(sweeps::parse_sweep(text::parse_json(request.sweep, "sweep"), {}, "sweep"));
 }
 
+/// The page says "all" beside the selection; the inbox has it within.
+void put_all_into_selection(json& document) {
+  if (document.value("kind", "") == "submit") return;
+  json selection = document.value("selection", json::object());
+  if (selection.is_object() && document.value("all", false)) selection["all"] = true;
+  document.erase("all");
+  document["selection"] = std::move(selection);
+}
+
 manager::Request request_of(const std::string& body) {
   json document = text::parse_json(body, "action");
   if (!document.is_object()) throw InputError("action: must be an object");
-  document["id"] = manager::new_request_id();
-  if (!document.contains("selection")) document["selection"] = json::object();
-  const manager::Request request = manager::parse_request(document, "action");
   try {
-    require_usable(request, document);
+    require_known(document.value("kind", ""));
+    put_all_into_selection(document);
   } catch (const json::exception& error) {
     throw InputError(fmt::format("action: {}", error.what()));
   }
+  document["id"] = manager::new_request_id();
+  const manager::Request request = manager::parse_request(document, "action");
+  require_complete(request);
   return request;
 }
 

@@ -126,6 +126,11 @@ nlohmann::json records(const Table& table) {
   return list;
 }
 
+bool is_for_programs(const Table& table) {
+  return std::ranges::any_of(table.columns,
+                             [](const Column& column) { return !column.name.empty(); });
+}
+
 std::string csv(const Table& table) {
   std::vector<std::string> fields;
   for (const Column& column : table.columns)

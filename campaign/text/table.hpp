@@ -74,6 +74,9 @@ Table words(const std::vector<std::string>& headers,
 /// One {"name": value, ...} per row, of the columns that have a name.
 nlohmann::json records(const Table& table);
 
+/// Whether any column has a name.
+bool is_for_programs(const Table& table);
+
 /// RFC 4180 of the columns that have a name. null is an empty field, flags are 0 or 1.
 std::string csv(const Table& table);
 

@@ -15,7 +15,7 @@ namespace eerie::db {
 class Lock {
  public:
   /// Long enough for a command that carries out a request on the spot.
-  static constexpr std::chrono::milliseconds usual_patience{3000};
+  static constexpr std::chrono::milliseconds usual_patience{500};
 
   /// Makes an empty file where there is none. Throws LockedError naming process and host of the
   /// holder, where that does not let go in time; InputError and Error as resolved() does.

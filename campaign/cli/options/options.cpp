@@ -4,19 +4,23 @@
 
 #include "campaign/queries/numbers.hpp"
 #include "campaign/sweeps/fidelity.hpp"
+#include "solver/base/error.hpp"
 
 namespace eerie::cli {
 void require_finite_numbers(CLI::App& app) {
-  const auto make_finite = [](std::string& text) -> std::string {
-    const std::optional<double> value = queries::finite_number(text);
-    if (!value) return fmt::format("{}: must be a finite number; for example 0.5", text);
-    text = fmt::format("{}", *value);
-    return "";
-  };
   for (CLI::App* command : app.get_subcommands({})) require_finite_numbers(*command);
   for (CLI::Option* option : app.get_options())
     if (option->get_type_name().starts_with("FLOAT"))
-      option->transform(CLI::Validator(make_finite, ""));
+      option->transform(CLI::Validator(
+          [name = option->get_name()](std::string& text) -> std::string {
+            const std::optional<double> value = queries::finite_number(text);
+            if (!value)
+              throw InputError(
+                  fmt::format("{} = {}: must be a finite number; for example 0.5", name, text));
+            text = fmt::format("{}", *value);
+            return "";
+          },
+          ""));
 }
 
 void add_database(CLI::App& app, std::filesystem::path& database) {

@@ -23,7 +23,7 @@ std::string rendered(const Answer& answer, Format format, std::size_t width) {
     const auto* table = std::get_if<Table>(&block);
     if (format == Format::people)
       out += table != nullptr ? text::aligned(*table, width) : std::get<std::string>(block);
-    else if (format == Format::csv && table != nullptr)
+    else if (format == Format::csv && table != nullptr && text::is_for_programs(*table))
       out += text::csv(*table);
   }
   return out;

@@ -89,7 +89,7 @@ TEST_F(SiteOfADatabase, PagesFiltersAndSortsAllJobs) {
   EXPECT_EQ(page["rows"].size(), 1u);
   page = get("/api/jobs", {{"state", "failed"}});
   EXPECT_EQ(page["total"], 1);
-  page = get("/api/jobs", {{"v", "15:20"}, {"where", "b_over_a=0:0.3"}, {"sort", "-b_over_a"}});
+  page = get("/api/jobs", {{"v", "15:20"}, {"where", "b_over_a=0:0.305"}, {"sort", "-b_over_a"}});
   EXPECT_EQ(page["total"], 4);
   std::vector<std::string> columns;
   for (const json& column : page["columns"]) columns.push_back(column["name"]);

@@ -39,7 +39,7 @@ TEST(Rendered, JsonIsUtf8WhateverAPathIsCalled) {
 
 TEST(Lines, MakeTheirArgumentsPlainAndKeepTheirOwnEnds) {
   EXPECT_EQ(line("{}: {}\n", std::string("a\x1b[31m\nb"), 3), "a\\x1b[31m\\nb: 3\n");
-  EXPECT_EQ(line("{:>6}|\n", std::filesystem::path("\x07x")), "\\x07x|\n");
+  EXPECT_EQ(line("{:>6}|\n", std::filesystem::path("\x07x")), " \\x07x|\n");
   EXPECT_EQ(line("{}\n", static_cast<const char*>("\x9b")), "\xef\xbf\xbd\n");
 }
 
