@@ -27,8 +27,7 @@ class PlainMessage : public spdlog::custom_flag_formatter {
 }  // namespace
 
 std::unique_ptr<spdlog::formatter> log_formatter() {
-  auto formatter =
-      std::make_unique<spdlog::pattern_formatter>(spdlog::pattern_time_type::utc);
+  auto formatter = std::make_unique<spdlog::pattern_formatter>(spdlog::pattern_time_type::utc);
   formatter->add_flag<PlainMessage>('*').set_pattern("%Y-%m-%dT%H:%M:%S.%eZ %l %*");
   return formatter;
 }

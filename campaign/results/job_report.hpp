@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/text/table.hpp"
-#include "db/views/query.hpp"
 #include "db/store/connection.hpp"
+#include "db/views/query.hpp"
 
 namespace eerie::results {
 

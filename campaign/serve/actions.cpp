@@ -36,8 +36,6 @@ void require_known(const std::string& kind) {
 }
 
 void require_complete(const manager::Request& request) {
-  if (request.kind == "priority" && !request.priority)
-    throw InputError("priority: must be given, a whole number; higher ones come first");
   for (const std::string& hash : request.selection.hashes)
     if (hash.size() < 4 || hash.size() > 64 ||
         hash.find_first_not_of("0123456789abcdef") != std::string::npos)

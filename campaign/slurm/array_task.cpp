@@ -9,11 +9,11 @@
 #include <string_view>
 
 #include "campaign/job_folder/provenance.hpp"
+#include "campaign/job_folder/worker_exit.hpp"
 #include "campaign/job_folder/worker_lock.hpp"
 #include "campaign/manager/local_processes.hpp"
 #include "campaign/process/signals.hpp"
 #include "campaign/slurm/batch.hpp"
-#include "campaign/job_folder/worker_exit.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
@@ -82,7 +82,8 @@ void run_job(const BatchJob& job, manager::LocalProcesses& processes) {
   while (true) {
     for (manager::WorkerEnd end : processes.wait(tick)) {
       // Told to stop before it could listen, it dies of the signal.
-      if (told > 0 && end.signal == SIGTERM) end.signal = 0, end.exit_code = job_folder::worker_stopped;
+      if (told > 0 && end.signal == SIGTERM)
+        end.signal = 0, end.exit_code = job_folder::worker_stopped;
       note_end(job.directory, end);
       return;
     }

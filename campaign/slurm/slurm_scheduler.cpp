@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <unordered_set>
 
+#include "campaign/job_folder/worker_exit.hpp"
 #include "campaign/job_folder/worker_lock.hpp"
 #include "campaign/process/signals.hpp"
 #include "campaign/slurm/packing.hpp"
-#include "campaign/job_folder/worker_exit.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::slurm {

@@ -44,8 +44,7 @@ manager::Tally run_study(const StudyPlan& plan, std::vector<Run> runs,
   const db::Lock lock(plan.database);
   db::Connection connection(plan.database, db::Access::write);
   if (plan.core_hours > 0)
-    runs =
-        manager::affordable(std::move(runs), plan.core_hours, manager::known_speed(connection));
+    runs = manager::affordable(std::move(runs), plan.core_hours, manager::known_speed(connection));
   std::vector<Scene> scenes;
   for (const Run& run : runs)
     if (!known.contains(scene_hash(run.scene))) scenes.push_back(run.scene);

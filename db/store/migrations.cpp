@@ -7,12 +7,12 @@
 
 #include <array>
 
+#include "db/store/error.hpp"
 #include "db/store/schema.hpp"
 #include "db/store/schema_2.hpp"
 #include "db/store/schema_3.hpp"
 #include "db/store/schema_4.hpp"
 #include "db/store/schema_5.hpp"
-#include "db/store/error.hpp"
 
 namespace eerie::db {
 namespace {

@@ -81,7 +81,8 @@ void Solver::find_voids() {
           if (density >= part * rho0) return false;
           if (!gaps_only) return true;
           const double m = norm(outward);
-          const bool fits = density >= convexity * part * rho0 * sph::flat_density<Kernel>(m / rho0);
+          const bool fits =
+              density >= convexity * part * rho0 * sph::flat_density<Kernel>(m / rho0);
           return !fits || m == 0 || seen.faces_something(outward / m);
         };
 #pragma omp parallel

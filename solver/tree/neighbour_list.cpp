@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
-#include "solver/tree/places.hpp"
 #include "solver/base/simd.hpp"
+#include "solver/tree/places.hpp"
 
 namespace eerie::tree {
 

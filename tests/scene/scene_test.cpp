@@ -133,21 +133,21 @@ TEST(Scene, GivesBodiesOfTheMassRatioAsked) {
 
 TEST(Scene, AnImpactWhoseBodiesWereNeverApartIsRefusedWithASpeedThatWillDo) {
   const auto scene = [](double radius_m, double v_imp, double theta, double separation) {
-    return parse_scene({{"target", {{"radius_m", radius_m}}},
-                        {"impact",
-                         {{"v_imp_cm_per_s", v_imp},
-                          {"theta_imp_deg", theta},
-                          {"separation", separation}}}});
+    return parse_scene(
+        {{"target", {{"radius_m", radius_m}}},
+         {"impact",
+          {{"v_imp_cm_per_s", v_imp}, {"theta_imp_deg", theta}, {"separation", separation}}}});
   };
   try {
     scene(50, 3, 45, 2);
     FAIL() << "it was taken";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("scene.impact.v_imp_cm_per_s = 3: bodies of 50 m"));
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("scene.impact.v_imp_cm_per_s = 3: bodies of 50 m"));
   }
   EXPECT_THROW(scene(500'000, 20, 45, 2), InputError);
-  EXPECT_THROW(changed(scene(50, 20, 45, 2), std::vector<FieldChange>{{"/impact/v_imp_cm_per_s", 3}},
-                       "scene"),
+  EXPECT_THROW(changed(scene(50, 20, 45, 2),
+                       std::vector<FieldChange>{{"/impact/v_imp_cm_per_s", 3}}, "scene"),
                InputError);
   // Head-on from the distance d of the centres, touching at c: v^2 = 2 G M (1 / c - 1 / d). Two
   // bodies of 50 m and 2700 kg/m^3 from twice to once 100 m apart: v_esc / sqrt(2), 4.343 cm/s.

@@ -64,9 +64,10 @@ TEST_F(Actions, RefuseWhatNoManagerWouldTake) {
   EXPECT_THAT(refusal_of(R"({"kind": "cancel", "selection": {"hashes": ["../../etc"]}})"),
               HasSubstr("digits"));
   EXPECT_THAT(refusal_of(R"({"kind": "cancel", "selection": {"hashes": 7}})"), HasSubstr("action"));
-  EXPECT_THAT(refusal_of(R"({"kind": "priority", "all": true})"), HasSubstr("whole number"));
-  EXPECT_THAT(refusal_of(R"({"kind": "submit", "sweep": "{\"grid\": {\"speed\": [1]}}"})"),
-              HasSubstr("speed"));
+  EXPECT_THAT(refusal_of(R"({"kind": "priority", "all": true})"), HasSubstr("lacks a priority"));
+  EXPECT_THAT(
+      refusal_of(R"({"kind": "submit", "sweep": "{\"name\": \"x\", \"grid\": {\"speed\": [1]}}"})"),
+      HasSubstr("speed"));
   EXPECT_TRUE(manager::Inbox(database).is_empty());
 }
 
