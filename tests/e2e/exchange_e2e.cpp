@@ -31,11 +31,11 @@ class Exchange : public testing::Test {
     arguments.insert(arguments.end(), {"--db", "campaign.sqlite"});
     return eerie(arguments);
   }
-  /// Exit code of a Python script that runs in the folder.
+  /// Exit code of a script that Debian's Python runs in the folder.
   int python(const std::string& script) {
     install_text(folder / "script.py", script);
     return std::system(
-        ("cd " + folder.path().string() + " && python3 script.py > python.out 2>&1").c_str());
+        ("cd " + folder.path().string() + " && /usr/bin/python3 script.py > python.out 2>&1").c_str());
   }
   test::TemporaryFolder folder;
 };
