@@ -45,7 +45,7 @@ std::optional<particles::Landing> flight_from(const io::Snapshot& now, double un
   const Scene::Settled& settled = scene.end.settled;
   const double total = now.state.mass * static_cast<double>(now.state.size());
   if (impact_ahead(found, settled)) {
-    if (now.state.softening == 1) return std::nullopt;
+    if (now.state.softening.sound_speed == 1) return std::nullopt;
     return particles::Landing{now.state, true, "two of them are about to meet"};
   }
   const auto something_ahead = [&](double time, const remnants::Remnants& there) {

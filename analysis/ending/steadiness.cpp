@@ -142,19 +142,25 @@ std::string liveliness(Looks looks, const remnants::Remnants& found, double hori
   wide.shape *= slack, wide.spin *= slack, wide.fall_back *= slack;
   if (std::string text = unsteadiness(looks, looks_per_window / 2, wide); !text.empty())
     return text;
-  for (std::size_t i = 0; i < found.remnants.size(); ++i)
-    for (std::size_t j = i + 1; j < found.remnants.size(); ++j) {
-      const remnants::Remnant &one = found.remnants[i], &other = found.remnants[j];
-      if (!is_watched(one, settled) || !is_watched(other, settled)) continue;
-      const remnants::Encounter pair = remnants::encounter(one, other);
+  const double speed = meeting_speed(found, horizon, settled);
+  return speed > greatest_mach * sound_speed
+             ? fmt::format("two remnants will meet at {:.3f} m/s", speed)
+             : "";
+}
+
+double meeting_speed(const remnants::Remnants& found, double horizon,
+                     const Scene::Settled& settled) {
+  const std::vector<remnants::Remnant>& all = found.remnants;
+  double greatest = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = i + 1; j < all.size(); ++j) {
+      if (!is_watched(all[i], settled) || !is_watched(all[j], settled)) continue;
+      const remnants::Encounter pair = remnants::encounter(all[i], all[j]);
       if (pair.time_s() > horizon) continue;
-      const double speed =
-          std::sqrt(2 * std::max(0.0, pair.orbit.specific_energy + pair.orbit.mu / pair.contact));
-      if (speed > greatest_mach * sound_speed)
-        return fmt::format("remnants {} and {} will meet at {:.3f} m/s", one.rank, other.rank,
-                           speed);
+      const double energy = pair.orbit.specific_energy + pair.orbit.mu / pair.contact;
+      greatest = std::max(greatest, std::sqrt(2 * std::max(0.0, energy)));
     }
-  return "";
+  return greatest;
 }
 
 double next_meeting(const remnants::Remnants& found, const Scene::Settled& settled) {

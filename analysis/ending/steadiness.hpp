@@ -49,6 +49,11 @@ std::string unsteadiness(std::span<const RemnantLook> looks, const Scene::Settle
 std::string liveliness(std::span<const RemnantLook> looks, const remnants::Remnants& found,
                        double horizon, double sound_speed, const Scene::Settled& settled);
 
+/// The greatest speed at which two remnants meet within `horizon` (s), m/s; 0 where none do. As in
+/// encounters().
+double meeting_speed(const remnants::Remnants& found, double horizon,
+                     const Scene::Settled& settled);
+
 /// What keeps remnants from flying as rigid bodies (numerics.rigid_flight); empty where nothing
 /// does: over half a window they kept within the tolerances, three times that for mass that falls
 /// back.

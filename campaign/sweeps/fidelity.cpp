@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "solver/base/error.hpp"
 #include "solver/scene/scene.hpp"
@@ -20,33 +19,75 @@ std::string dotted(std::string pointer) {
   return pointer;
 }
 
+std::string word(const json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+json settings_of(const Fidelity& fidelity) {
+  json settings = fidelity.is_rung ? json::parse(rung_settings) : json::object();
+  settings.merge_patch(json::parse(fidelity.settings));
+  return settings;
+}
+
 /// Numerics (without the seed) and end of a fidelity, every field written out.
 json whole(const Fidelity& fidelity) {
   json scene = {{"impact", {{"q", 1}, {"v_imp_cm_per_s", 20}, {"theta_imp_deg", 15}}}};
-  scene.merge_patch(json::parse(fidelity.settings));
+  scene.merge_patch(settings_of(fidelity));
   scene = to_json(parse_scene(scene));
   scene["numerics"].erase("seed");
   return {{"numerics", scene["numerics"]}, {"end", scene["end"]}};
 }
 
+/// Whether the default fidelity is meant for a scene, as given.
+bool takes_default(const json& scene) {
+  const auto given = [&](const char* pointer, const json& otherwise) {
+    return scene.value(json::json_pointer(pointer), otherwise);
+  };
+  return given("/numerics/scheme", "").empty() && given("/environment/self_gravity", true) &&
+         given("/material/energy", "none") == "none";
+}
+
 }  // namespace
 
-std::vector<std::string> overrides_of_fidelity(const std::string& name) {
+json settings_of(const std::string& name, const std::string& where) {
   std::string names;
   for (const Fidelity& fidelity : fidelities) {
+    if (fidelity.name == name) return settings_of(fidelity);
     names += fmt::format("{}{}", names.empty() ? "" : ", ", fidelity.name);
-    if (fidelity.name != name) continue;
-    std::vector<std::string> overrides;
-    const json settings = json::parse(fidelity.settings).flatten();
-    for (const auto& [pointer, value] : settings.items())
-      overrides.push_back(fmt::format("{}={}", dotted(pointer),
-                                      value.is_string() ? value.get<std::string>() : value.dump()));
-    return overrides;
   }
   if (name == "auto")
     throw InputError(
-        fmt::format("--fidelity auto: only `eerie run` chooses by itself; give one of {}", names));
-  throw InputError(fmt::format("--fidelity {}: must be one of {}, auto", name, names));
+        fmt::format("{} auto: only `eerie run` chooses by itself; give one of {}", where, names));
+  throw InputError(fmt::format("{} {}: must be one of {}, auto", where, name, names));
+}
+
+std::vector<std::string> overrides_of_fidelity(const std::string& name) {
+  std::vector<std::string> overrides;
+  const json settings = settings_of(name).flatten();
+  for (const auto& [pointer, value] : settings.items())
+    overrides.push_back(fmt::format("{}={}", dotted(pointer), word(value)));
+  return overrides;
+}
+
+json over_default_fidelity(const json& scene) {
+  if (!takes_default(scene)) return scene;
+  json whole = settings_of(default_fidelity);
+  whole.merge_patch(scene);
+  return whole;
+}
+
+std::vector<std::string> departures(const json& scene, const std::string& where) {
+  std::vector<std::string> found;
+  if (!takes_default(scene)) return found;
+  const json settings = settings_of(default_fidelity).flatten();
+  for (const auto& [pointer, value] : settings.items()) {
+    const json::json_pointer at(pointer);
+    if (scene.contains(at) && scene.at(at) != value)
+      found.push_back(fmt::format("{}: {} = {}, where fidelity \"{}\" has {}", where,
+                                  dotted(pointer), word(scene.at(at)), default_fidelity,
+                                  word(value)));
+  }
+  return found;
 }
 
 std::string_view fidelity_of(const json& canonical) {

@@ -30,6 +30,10 @@ double expected_end_s(const Scene& scene) {
   return scene.end.time_s;
 }
 
+/// Of the steps at the scene's own sound speed, what remains where matter softens while it moves
+/// slowly: 0.19 and 0.23 for the reference impact at 1,000 and 5,000 particles per target.
+constexpr double typical_part_with_softening = 0.23;
+
 double expected_particle_steps(const Scene& scene) {
   const double c = bulk_sound_speed(scene);
   const double c_l =
@@ -37,7 +41,9 @@ double expected_particle_steps(const Scene& scene) {
   const double dt = scene.numerics.cfl * smoothing_length(scene) / c_l;
   const auto particles =
       static_cast<double>(scene.numerics.particles_per_target + impactor_particles(scene));
-  return particles * std::ceil(expected_end_s(scene) / dt);
+  const bool softens = scene.numerics.late_sound_speed < 1 && scene.numerics.flow_mach > 0;
+  return particles *
+         std::ceil(expected_end_s(scene) / dt * (softens ? typical_part_with_softening : 1));
 }
 
 db::NewJob new_job(const Scene& scene) {

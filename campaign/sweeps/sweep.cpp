@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/sweep_schema_text.hpp"
 #include "campaign/text/json_file.hpp"
 #include "campaign/text/plain_name.hpp"
@@ -167,7 +168,7 @@ std::vector<Scene> expand(const Sweep& sweep) {
   // sweep was parsed, so that of a combination only remains whether its values fit together.
   const std::string where = sweep.where + ": scene";
   const SweepPoints& points = sweep.points;
-  json first = sweep.scene;
+  json first = over_default_fidelity(sweep.scene);
   for (std::size_t k = 0; k < points.paths.size(); ++k)
     set_field(first, points.paths[k], canonical_number(points.rows.front()[k]));
   for (const Axis& axis : sweep.axes)
@@ -193,7 +194,7 @@ std::vector<Scene> expand(const Sweep& sweep) {
 }
 
 std::string document(const Sweep& sweep) {
-  json whole = {{"name", sweep.name}, {"scene", sweep.scene}};
+  json whole = {{"name", sweep.name}, {"scene", over_default_fidelity(sweep.scene)}};
   for (const Axis& axis : sweep.axes) {
     json values = json::array();
     for (const double value : axis.values) values.push_back(canonical_number(value));

@@ -2,12 +2,14 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "analysis/ending/may_fly.hpp"
 #include "analysis/remnants/analysis.hpp"
 #include "analysis/remnants/meetings.hpp"
 #include "campaign/job_folder/result_file.hpp"
+#include "solver/step/deformation.hpp"
 #include "solver/step/diagnosis.hpp"
 
 namespace eerie::worker {
@@ -28,6 +30,13 @@ job_folder::HistoryRow full_row(const io::Snapshot& snapshot, const step::Totals
   row.pressureless = d.pressureless, row.density_kg_per_m3 = d.density;
   row.summed_density_kg_per_m3 = d.summed_density, row.density_error = d.density_error;
   return row;
+}
+
+/// The least of 1, 1/2, 1/4... that is no smaller than `factor`; 1 for what is larger.
+double power_of_half_from(double factor) {
+  double power = 1;
+  while (power / 2 >= factor) power /= 2;
+  return power;
 }
 
 }  // namespace
@@ -65,7 +74,9 @@ run::LookAnswer Watch::look(const io::Snapshot& snapshot, const run::LookQuestio
   const remnants::Remnants found = remnants::find_remnants(snapshot.state);
   looks_.add(ending::look(snapshot.state.time, found, scene_.end.settled));
   if (is_settled(snapshot, found)) return run::End{};
-  if (question.may_soften && is_calm(snapshot, found)) return run::Soften{};
+  if (question.may_soften)
+    if (const auto to = softening(snapshot, found); to != snapshot.state.softening)
+      return run::Soften{to};
   if (scene_.numerics.rigid_flight)
     if (auto landing = ending::flight_from(snapshot, question.until, looks_.rows(), found,
                                            [this] { return stop_(); }))
@@ -81,12 +92,19 @@ bool Watch::is_settled(const io::Snapshot& snapshot, const remnants::Remnants& f
          ending::unsteadiness(looks_.rows(), scene_.end.settled).empty();
 }
 
-bool Watch::is_calm(const io::Snapshot& snapshot, const remnants::Remnants& found) const {
-  if (scene_.numerics.rigid_flight && ending::impact_ahead(found, scene_.end.settled)) return false;
-  return ending::liveliness(looks_.rows(), found, ending::horizon(scene_.end, snapshot.state.time),
-                            scene_.numerics.late_sound_speed * bulk_sound_speed(scene_),
-                            scene_.end.settled)
-      .empty();
+particles::Softening Watch::softening(const io::Snapshot& snapshot,
+                                      const remnants::Remnants& found) const {
+  const particles::Softening now = snapshot.state.softening;
+  if (scene_.numerics.rigid_flight && ending::impact_ahead(found, scene_.end.settled)) return now;
+  const double horizon = ending::horizon(scene_.end, snapshot.state.time);
+  const double late = scene_.numerics.late_sound_speed, sound = bulk_sound_speed(scene_);
+  if (ending::liveliness(looks_.rows(), found, horizon, late * sound, scene_.end.settled).empty())
+    return {late, true};
+  if (scene_.numerics.flow_mach == 0) return now;
+  const double fastest = std::max(ending::meeting_speed(found, horizon, scene_.end.settled),
+                                  step::flow_speed(snapshot));
+  const double needed = fastest / (scene_.numerics.flow_mach * sound);
+  return {std::min(now.sound_speed, power_of_half_from(std::max(needed, late))), false};
 }
 
 }  // namespace eerie::worker

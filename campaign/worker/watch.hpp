@@ -27,7 +27,8 @@ class Watch {
  private:
   run::LookAnswer look(const io::Snapshot& snapshot, const run::LookQuestion& question);
   bool is_settled(const io::Snapshot& snapshot, const remnants::Remnants& found) const;
-  bool is_calm(const io::Snapshot& snapshot, const remnants::Remnants& found) const;
+  particles::Softening softening(const io::Snapshot& snapshot,
+                                 const remnants::Remnants& found) const;
 
   const Scene& scene_;
   job_folder::JobDirectory folder_;

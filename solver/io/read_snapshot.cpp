@@ -90,8 +90,13 @@ particles::State read_state(hid_t file, const particles::OptionalFields& use) {
         fmt::format("time {} and step {} are not those of a run", state.time, state.step));
   state.mass = positive(group, "ParticleMass");
   state.h = positive(group, "SmoothingLength");
-  // Files from before there was a late phase have none.
-  if (h5::has_attribute(group, "Softening")) state.softening = positive(group, "Softening");
+  // Files from before there was a late phase have none, and that one began when all was calm.
+  if (h5::has_attribute(group, "Softening")) {
+    state.softening.sound_speed = positive(group, "Softening");
+    state.softening.is_calm = h5::has_attribute(group, "IsCalm")
+                                  ? h5::read_integer(group, "IsCalm") != 0
+                                  : state.softening.sound_speed < 1;
+  }
   const std::size_t n = h5::rows_of(group, "ParticleIDs", h5::Layout<std::uint32_t>::type(), 1);
   if (n == 0) throw Failure("it has no particles");
   require_rows(group, n, use);

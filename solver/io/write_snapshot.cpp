@@ -34,7 +34,8 @@ h5::Handle write_state(hid_t file, const Snapshot& snapshot) {
   h5::write_attribute(group, "Time", state.time);
   h5::write_attribute(group, "Step", std::int64_t{state.step});
   h5::write_attribute(group, "ParticleMass", state.mass);
-  h5::write_attribute(group, "Softening", state.softening);
+  h5::write_attribute(group, "Softening", state.softening.sound_speed);
+  h5::write_attribute(group, "IsCalm", std::int64_t{state.softening.is_calm});
   h5::write_attribute(group, "SmoothingLength", state.h);
   return group;
 }

@@ -13,14 +13,24 @@ namespace eerie::particles {
 /// Which of the two bodies a particle came from.
 enum class Body : std::uint8_t { target = 0, impactor = 1 };
 
+/// How much softer than in the scene matter is while nothing moves fast (step/late.hpp).
+struct Softening {
+  double sound_speed = 1;  ///< times the sound speeds of the scene
+  /// Whether remnants hardly move. Before, viscosity keeps its size: alpha grows as sound falls.
+  bool is_calm = false;
+
+  double viscosity_alpha() const { return is_calm ? 1 : 1 / sound_speed; }
+  bool operator==(const Softening&) const = default;
+};
+
 /// What is integrated, one entry per particle, in memory order (see tree/order.hpp), SI.
 /// Mass is the same for every particle and constant in time. Fields of physics that the scene does
 /// not use are empty.
 struct State {
-  double time = 0;                 ///< s since the start of the run
-  long step = 0;                   ///< steps done
-  double mass = 0;                 ///< of one particle, kg
-  double softening = 1;            ///< of sound speeds, in a late phase (step/late.hpp)
+  double time = 0;  ///< s since the start of the run
+  long step = 0;    ///< steps done
+  double mass = 0;  ///< of one particle, kg
+  Softening softening;
   double h = 0;                    ///< smoothing length at the reference density, m
   std::vector<std::uint32_t> id;   ///< 0..N-1, fixed for the whole run
   std::vector<std::uint8_t> body;  ///< Body

@@ -141,10 +141,10 @@ class Run {
   std::optional<EndReason> reason_to_end() {
     if (looks_.pass(solver_.state().time) && options_.look) {
       const bool may_soften =
-          scene_.numerics.late_sound_speed < 1 && solver_.state().softening == 1;
+          scene_.numerics.late_sound_speed < 1 && !solver_.state().softening.is_calm;
       LookAnswer answer = options_.look(snapshot(), {may_soften, next_stop()});
       if (std::holds_alternative<End>(answer)) return EndReason::settled;
-      if (std::holds_alternative<Soften>(answer)) begin_late_phase();
+      if (auto* soften = std::get_if<Soften>(&answer)) go_on_softer(soften->to);
       if (auto* fly = std::get_if<Fly>(&answer)) land(std::move(fly->landing));
     }
     const double now = solver_.state().time;
@@ -167,17 +167,18 @@ class Run {
 
   void land(particles::Landing landing) {
     particles::State& state = landing.state;
-    if (landing.for_impact && state.softening < 1)
-      state = step::with_softening(std::move(state), solver_.pressure(), scene_, 1);
+    if (landing.for_impact && state.softening.sound_speed < 1)
+      state = step::with_softening(std::move(state), solver_.pressure(), scene_, {});
     go_on_with(std::move(state));
     looks_.pass(solver_.state().time);  // the next one after a whole interval, as after a restart
     note(fmt::format("t = {:.0f} s: {}", solver_.state().time, landing.how));
   }
 
-  void begin_late_phase() {
-    go_on_with(step::softened(solver_.state(), solver_.pressure(), scene_));
-    note(fmt::format("t = {:.0f} s: remnants are calm; sound speeds are {:g} times what they were",
-                     solver_.state().time, scene_.numerics.late_sound_speed));
+  void go_on_softer(const particles::Softening& to) {
+    go_on_with(step::with_softening(solver_.state(), solver_.pressure(), scene_, to));
+    note(fmt::format("t = {:.0f} s: {}; sound speeds are {:g} times those of the scene",
+                     solver_.state().time, to.is_calm ? "remnants are calm" : "matter moves slowly",
+                     to.sound_speed));
   }
 
   void note(const std::string& text) const {

@@ -46,7 +46,7 @@ struct RunSummary {
 };
 
 struct LookQuestion {
-  bool may_soften;  ///< whether the late phase (numerics.late_sound_speed) could begin
+  bool may_soften;  ///< whether sound speeds may fall further (numerics.late_sound_speed)
   double until;     ///< s: a flight may last no longer
 };
 
@@ -54,9 +54,10 @@ struct LookQuestion {
 
 /// Matter goes on moving.
 struct GoOn {};
-/// Remnants hardly move: from now on sound speeds are numerics.late_sound_speed times what they
-/// were.
-struct Soften {};
+/// Matter moves slowly: it is softer from now on.
+struct Soften {
+  particles::Softening to;
+};
 /// Nothing changes but places until a later time: the run goes on from there.
 struct Fly {
   particles::Landing landing;

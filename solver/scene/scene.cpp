@@ -88,6 +88,7 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/numerics/gravity_interval", s.numerics.gravity_interval);
   visit("/numerics/list_skin", s.numerics.list_skin);
   visit("/numerics/late_sound_speed", s.numerics.late_sound_speed);
+  visit("/numerics/flow_mach", s.numerics.flow_mach);
   visit("/numerics/rigid_flight", s.numerics.rigid_flight);
   visit("/numerics/precision", s.numerics.precision);
   visit("/end/time_s", s.end.time_s);
@@ -249,6 +250,8 @@ json to_json(const Scene& scene) {
   if (scene.numerics.void_density == 0) document["numerics"].erase("void_density");
   if (scene.numerics.void_density == 0 || scene.numerics.voids == "all")
     document["numerics"].erase("voids");
+  if (scene.numerics.late_sound_speed == 1 || scene.numerics.flow_mach == 0)
+    document["numerics"].erase("flow_mach");
   if (!scene.numerics.rigid_flight) document["numerics"].erase("rigid_flight");
   return document;
 }

@@ -100,6 +100,7 @@ struct Scene {
     std::int64_t gravity_interval;  ///< the most steps from one evaluation to the next
     double list_skin;               ///< extra neighbour search radius over 2h
     double late_sound_speed;        ///< times sound speeds once nothing moves fast; 1: never
+    double flow_mach;               ///< up to which sound speeds fall before that; 0: not at all
     bool rigid_flight;              ///< clumps that do not change fly as rigid bodies
     std::string precision;          ///< of pair sums: "float" or "double"; the state is double
   } numerics;

@@ -105,8 +105,10 @@ std::string first_fault(const json& schema, const json& document, const std::str
   }
   if (type == "boolean" && !document.is_boolean()) return fault("must be true or false");
   if (schema.contains("enum")) {
-    for (const json& word : schema["enum"])
-      if (word == document) return "";
+    // Former words are read, for what was written with them, and offered to nobody.
+    for (const char* list : {"enum", "former"})
+      for (const json& word : schema.value(list, json::array()))
+        if (word == document) return "";
     return fault(allowed_values(schema));
   }
   if (type == "number" || type == "integer") {

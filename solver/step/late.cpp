@@ -5,8 +5,9 @@
 
 namespace eerie::step {
 
-Scene softened(Scene scene, double factor) {
-  const double moduli = factor * factor;
+Scene softened(Scene scene, const particles::Softening& softening) {
+  const double moduli = softening.sound_speed * softening.sound_speed;
+  scene.numerics.viscosity_alpha *= softening.viscosity_alpha();
   scene.material.tillotson.A_Pa *= moduli;
   scene.material.tillotson.B_Pa *= moduli;
   scene.material.linear.bulk_modulus_Pa *= moduli;
@@ -15,7 +16,7 @@ Scene softened(Scene scene, double factor) {
 }
 
 particles::State with_softening(particles::State state, const std::vector<double>& pressure,
-                                const Scene& scene, double softening) {
+                                const Scene& scene, const particles::Softening& softening) {
   state.softening = softening;
   const material::Material other = material::make_material(softened(scene, softening));
   std::visit(
@@ -25,12 +26,6 @@ particles::State with_softening(particles::State state, const std::vector<double
       },
       other.eos);
   return state;
-}
-
-particles::State softened(particles::State state, const std::vector<double>& pressure,
-                          const Scene& scene) {
-  const double softening = state.softening * scene.numerics.late_sound_speed;
-  return with_softening(std::move(state), pressure, scene, softening);
 }
 
 }  // namespace eerie::step

@@ -121,6 +121,7 @@ class Solver {
                               const Pack<double>& rho) const;
   void check_collapse(std::size_t singular) const;
   void set_middle_rows(double duration);
+  bool viscosity_lags() const;
   std::size_t go_on(std::size_t i, std::size_t count, double duration, const sph::PackedSums& sums);
   void heat_by_viscosity(double duration);
   void heat_by_strain(std::size_t i, double duration, const Strained& now);

@@ -12,6 +12,7 @@ namespace eerie::step {
 namespace {
 
 using nlohmann::json;
+using particles::Softening;
 using test::differences;
 using test::run_in;
 using test::TemporaryFolder;
@@ -31,7 +32,7 @@ run::RunOptions calm_from(double time) {
   run::RunOptions options;
   options.look = [time](const io::Snapshot& s,
                         const run::LookQuestion& question) -> run::LookAnswer {
-    if (question.may_soften && s.state.time > time) return run::Soften{};
+    if (question.may_soften && s.state.time > time) return run::Soften{{0.25, true}};
     return run::GoOn{};
   };
   return options;
@@ -39,19 +40,19 @@ run::RunOptions calm_from(double time) {
 
 TEST(LatePhase, HasSoundSpeedsTimesTheFactor) {
   const Scene scene = late_impact();
-  const Scene soft = softened(scene, 0.25);
+  const Scene soft = softened(scene, {0.25, true});
   EXPECT_DOUBLE_EQ(bulk_sound_speed(soft), bulk_sound_speed(scene) / 4);
   EXPECT_DOUBLE_EQ(soft.material.shear_modulus_Pa, scene.material.shear_modulus_Pa / 16);
-  EXPECT_EQ(scene_hash(softened(scene, 1)), scene_hash(scene));
+  EXPECT_EQ(scene_hash(softened(scene, {})), scene_hash(scene));
 }
 
 TEST(LatePhase, BeginsWithThePressuresThatWereThere) {
   const Scene scene = late_impact();
   const TemporaryFolder folder;
   const io::Snapshot before = run_in(folder, scene).summary.last;
-  ASSERT_EQ(before.state.softening, 1);
-  const Solver after(scene, softened(before.state, before.pressure, scene));
-  EXPECT_EQ(after.state().softening, 0.25);
+  ASSERT_EQ(before.state.softening, Softening{});
+  const Solver after(scene, with_softening(before.state, before.pressure, scene, {0.25, true}));
+  EXPECT_EQ(after.state().softening, (Softening{0.25, true}));
   std::vector<double> was(before.state.size());
   for (std::size_t i = 0; i < was.size(); ++i) was[before.state.id[i]] = before.pressure[i];
   int pressed = 0;
@@ -68,9 +69,9 @@ TEST(LatePhase, TakesLongerStepsAndIsKeptInTheState) {
   const TemporaryFolder folder, other;
   const run::RunSummary late = run_in(folder, scene, calm_from(30)).summary;
   const run::RunSummary never = run_in(other, scene, calm_from(1e9)).summary;
-  EXPECT_EQ(late.last.state.softening, 0.25);
-  EXPECT_EQ(never.last.state.softening, 1);
-  EXPECT_EQ(io::read_snapshot(folder / "final.hdf5").state.softening, 0.25);
+  EXPECT_EQ(late.last.state.softening, (Softening{0.25, true}));
+  EXPECT_EQ(never.last.state.softening, Softening{});
+  EXPECT_EQ(io::read_snapshot(folder / "final.hdf5").state.softening, (Softening{0.25, true}));
   // Half of the time with steps that may be four times as long.
   EXPECT_LT(late.progress.step, 0.75 * static_cast<double>(never.progress.step));
 }

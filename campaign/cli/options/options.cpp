@@ -34,7 +34,8 @@ void add_changes(CLI::App& app, SceneChanges& changes) {
       ->allow_extra_args(false);
   app.add_option(
       "--fidelity", changes.fidelity,
-      "settings by name: sketch, survey or paper (run: auto, too); --set goes before them");
+      "settings by name: sketch, survey, standard, fine or paper (run: auto, too), before those of "
+      "the file; --set goes before them (default: standard, behind those of the file)");
 }
 
 std::vector<std::string> SceneChanges::all() const {

@@ -11,6 +11,7 @@
 #include "campaign/job_folder/worker_lock.hpp"
 #include "campaign/manager/local_processes.hpp"
 #include "campaign/process/signals.hpp"
+#include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/scene_field.hpp"
 #include "campaign/text/json_file.hpp"
 #include "campaign/worker/worker.hpp"
@@ -37,7 +38,7 @@ Scene load_scene(const SolveArguments& a) {
   json document = sweeps::with_integers(text::load_json(a.scene));
   require_valid(scene_schema(), document, where);
   sweeps::apply_overrides(document, a.changes.all());
-  return parse_scene(document, where);
+  return parse_scene(sweeps::over_default_fidelity(document), where);
 }
 
 double particle_steps_here(const run::RunSummary& s) {

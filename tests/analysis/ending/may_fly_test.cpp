@@ -33,7 +33,7 @@ Scene flying_impact() {
 run::RunOptions flight_at_20s() {
   run::RunOptions options;
   options.look = [](const io::Snapshot& s, const run::LookQuestion& question) -> run::LookAnswer {
-    if (question.may_soften && s.state.time > 10 && s.state.time < 20) return run::Soften{};
+    if (question.may_soften && s.state.time > 10 && s.state.time < 20) return run::Soften{{0.25, true}};
     if (s.state.time < 20 || s.state.time > 100) return run::GoOn{};
     flight::FlightPlan plan;
     plan.until_s = std::min(question.until, s.state.time + 300);

@@ -26,12 +26,37 @@ TEST(Fidelity, GoesBeforeTheFileAndBehindSet) {
                      {"end", {{"time_s", 50000}}}};
   const Scene survey = expand(sweep_with(file, overrides)).front();
   EXPECT_EQ(survey.numerics.particles_per_target, 1000);
-  EXPECT_EQ(survey.numerics.scheme, "viscosity-50000");
-  EXPECT_EQ(survey.end.time_s, 60000);
+  EXPECT_EQ(survey.numerics.scheme, "closing-gaps");
+  EXPECT_EQ(survey.end.time_s, 100000);
   EXPECT_GT(survey.end.settled.window_s, 0);
   EXPECT_EQ(survey.numerics.cfl, 0.6);  // a field that fidelities leave alone
   overrides.push_back("numerics.particles_per_target=2000");
   EXPECT_EQ(expand(sweep_with(file, overrides)).front().numerics.particles_per_target, 2000);
+}
+
+TEST(Fidelity, IsTheDefaultBehindTheFileWhereThatNamesNoScheme) {
+  const Scene bare = expand(sweep_with(json::object(), {})).front();
+  EXPECT_EQ(fidelity_of(to_json(bare)), "standard");
+  const json file = {{"numerics", {{"particles_per_target", 1000}}}};
+  EXPECT_EQ(fidelity_of(to_json(expand(sweep_with(file, {})).front())), "survey");
+  EXPECT_THAT(departures(file, "s.json"),
+              testing::ElementsAre("s.json: numerics.particles_per_target = 1000, where fidelity "
+                                   "\"standard\" has 5000"));
+  for (const json& own : {json{{"numerics", {{"scheme", "libersky-petschek-2018"}}}},
+                          json{{"environment", {{"self_gravity", false}}}},
+                          json{{"material", {{"energy", "integrated"}}}}}) {
+    EXPECT_EQ(over_default_fidelity(own), own);
+    EXPECT_THAT(departures(own, "s.json"), testing::IsEmpty());
+    EXPECT_EQ(expand(sweep_with(own, {})).front().numerics.late_sound_speed, 1);
+  }
+}
+
+TEST(Fidelity, MayHaveAFieldThatTheGridVaries) {
+  const Sweep sweep = parse_sweep(
+      {{"name", "s"}, {"grid", {{"numerics.particles_per_target", {500, 1000}}}}}, {}, "s.json");
+  const std::vector<Scene> scenes = expand(sweep);
+  EXPECT_EQ(scenes[0].numerics.particles_per_target, 500);
+  EXPECT_EQ(scenes[1].numerics.late_sound_speed, 0.125);
 }
 
 TEST(Fidelity, IsKnownByItsSettingsWhateverImpactAndSeed) {
@@ -59,9 +84,9 @@ TEST(Fidelity, OfThePaperIsThePapers) {
 }
 
 TEST(Fidelity, ThatIsNoneIsBadInputThatNamesThoseThereAre) {
-  EXPECT_THAT([] { overrides_of_fidelity("fine"); },
-              ThrowsMessage<InputError>(
-                  HasSubstr("--fidelity fine: must be one of sketch, survey, paper")));
+  EXPECT_THAT([] { overrides_of_fidelity("finer"); },
+              ThrowsMessage<InputError>(HasSubstr(
+                  "--fidelity finer: must be one of sketch, survey, standard, fine, paper")));
 }
 
 TEST(Fidelity, AutoIsNoneOfThem) {
