@@ -4,21 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "campaign/results/finished_run.hpp"
+#include "campaign/sweeps/fidelity.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::auto_fidelity {
 
 namespace {
 
-constexpr const char* coarse = "sketch";
-constexpr const char* fine = "survey";
-/// So many runs of each impact at first, and so many sketches at most.
-constexpr std::int64_t first_seeds = 2, most_sketches = 4;
-/// An impact is not called mixed by fewer surveys.
+/// So many runs of each impact at first on a rung, and so many at most below the last one.
+constexpr std::int64_t first_seeds = 2, most_below_last = 4;
+/// An impact is not called mixed by fewer runs on the last rung; below it goes up at once.
 constexpr std::size_t fewest_of_mixed = 4;
-/// Of b/a, before anything is known: the spread of seeds, and what a sketch may be off.
+/// Of b/a, before anything is known: the spread of seeds, and what a rung may be off from the next.
 constexpr double prior_deviation = 0.03, prior_scatter = 0.05;
 
 bool agree(const std::vector<Sample>& samples) {
@@ -26,23 +26,14 @@ bool agree(const std::vector<Sample>& samples) {
                              [&](const Sample& s) { return s.outcome == samples.front().outcome; });
 }
 
-/// Whether surveys say what sketches say.
-bool bears_out(const Answer& finer, const Answer& sketched) {
-  return finer.outcome == sketched.outcome &&
-         (finer.p_elongated > 0.5) == (sketched.p_elongated > 0.5);
-}
-
-/// What else is known of the classes of a surveyed impact: its neighbours and its own sketches,
-/// which count as one neighbour more.
-ClassShares with_sketches(const AutoCell& cell) {
-  ClassShares shares = cell.around;
-  for (const auto& [name, share] : class_shares(cell.sketch)) shares[name] += 0.5 * share;
-  return shares;
+/// Whether a finer rung says what a coarser one says.
+bool bears_out(const Answer& finer, const Answer& coarser) {
+  return finer.outcome == coarser.outcome &&
+         (finer.p_elongated > 0.5) == (coarser.p_elongated > 0.5);
 }
 
 struct AutoRun {
-  std::size_t cell = 0;
-  bool survey = false;
+  std::size_t cell = 0, rung = 0;
   Scene scene;
 };
 
@@ -58,9 +49,29 @@ std::string point_of(const Scene& s) {
 
 }  // namespace
 
-AutoFidelity::AutoFidelity(const sweeps::Sweep& sketch, const sweeps::Sweep& survey,
-                           AutoOptions options)
-    : options_(options) {
+std::vector<Rung> ladder(const nlohmann::json& sweep, const std::vector<std::string>& overrides,
+                         const std::string& where, const std::string& finest) {
+  std::vector<Rung> rungs;
+  std::string names;
+  for (const sweeps::Fidelity& fidelity : sweeps::fidelities) {
+    if (!fidelity.is_rung) continue;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", fidelity.name);
+    std::vector<std::string> all = sweeps::overrides_of_fidelity(fidelity.name);
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    rungs.push_back({fidelity.name, sweeps::parse_sweep(sweep, all, where)});
+    if (fidelity.name == finest) return rungs;
+  }
+  throw InputError(fmt::format("--finest {}: must be one of {}", finest, names));
+}
+
+int AutoCell::finest() const {
+  for (std::size_t r = runs.size(); r-- > 0;)
+    if (!runs[r].empty()) return static_cast<int>(r);
+  return -1;
+}
+
+AutoFidelity::AutoFidelity(std::vector<Rung> rungs, AutoOptions options)
+    : rungs_(std::move(rungs)), options_(options), transfers_(rungs_.size()) {
   if (const auto n = static_cast<double>(options.most_seeds);
       (n + 0.5) / (n + 1) < options.confidence)
     throw InputError(
@@ -69,16 +80,21 @@ AutoFidelity::AutoFidelity(const sweeps::Sweep& sketch, const sweeps::Sweep& sur
                     "more, or ask for less",
                     options.confidence, options.most_seeds, (n + 0.5) / (n + 1),
                     std::ceil((options.confidence - 0.5) / (1 - options.confidence) - 1e-9)));
-  std::vector<std::string> varied = sketch.points.paths;
-  for (const sweeps::Axis& axis : sketch.axes) varied.push_back(axis.path);
+  const sweeps::Sweep& lowest = rungs_.front().sweep;
+  std::vector<std::string> varied = lowest.points.paths;
+  for (const sweeps::Axis& axis : lowest.axes) varied.push_back(axis.path);
   if (std::ranges::find(varied, "numerics.seed") != varied.end())
     throw InputError(fmt::format(
         "{}: grid: numerics.seed is chosen by --fidelity auto and is an axis too; leave it out",
-        sketch.where));
-  const std::vector<Scene> sketches = sweeps::expand(sketch), surveys = sweeps::expand(survey);
-  for (std::size_t k = 0; k < sketches.size(); ++k)
-    cells_.push_back({sketches[k], surveys[k], {}, {}, {}, ""});
-  find_neighbours(sketch.axes);
+        lowest.where));
+  cells_.resize(sweeps::point_count(lowest));
+  for (const Rung& rung : rungs_) {
+    std::vector<Scene> scenes = sweeps::expand(rung.sweep);
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      cells_[c].scenes.push_back(std::move(scenes[c])), cells_[c].runs.emplace_back();
+  }
+  deviations_.assign(rungs_.size(), prior_deviation);
+  find_neighbours(lowest.axes);
 }
 
 void AutoFidelity::find_neighbours(const std::vector<sweeps::Axis>& axes) {
@@ -99,136 +115,158 @@ void AutoFidelity::look_around() {
     cell.around.clear();
     double known = 0;
     for (const std::size_t k : cell.neighbours) {
-      const AutoCell& other = cells_[k];
-      const std::vector<Sample>& runs = other.survey.empty() ? other.sketch : other.survey;
-      if (runs.empty()) continue;
+      const int rung = cells_[k].finest();
+      if (rung < 0) continue;
       ++known;
-      for (const auto& [name, share] : class_shares(runs)) cell.around[name] += share;
+      for (const auto& [name, share] : class_shares(cells_[k].runs[static_cast<std::size_t>(rung)]))
+        cell.around[name] += share;
     }
     for (auto& [name, share] : cell.around) share /= known;
   }
 }
 
-Transfer AutoFidelity::transfer(const std::string& sketched_class) const {
-  const auto known = transfers_.find(sketched_class);
-  return known == transfers_.end() ? Transfer{0, prior_scatter} : known->second;
+Transfer AutoFidelity::transfer(std::size_t rung, const std::string& its_class) const {
+  const auto known = transfers_[rung].find(its_class);
+  return known == transfers_[rung].end() ? Transfer{0, prior_scatter} : known->second;
 }
 
-std::vector<std::string> AutoFidelity::classes() const {
+/// What a rung errs against the last one: the steps between them add up.
+Transfer AutoFidelity::transfer_to_top(std::size_t rung, const std::string& its_class) const {
+  Transfer sum;
+  for (std::size_t r = rung; r + 1 < rungs_.size(); ++r) {
+    const Transfer step = transfer(r, its_class);
+    sum.shift += step.shift;
+    sum.scatter = std::hypot(sum.scatter, step.scatter);
+  }
+  return sum;
+}
+
+std::vector<std::string> AutoFidelity::classes(std::size_t rung) const {
   std::vector<std::string> names;
-  for (const auto& [name, transfer] : transfers_) names.push_back(name);
+  for (const auto& [name, transfer] : transfers_[rung]) names.push_back(name);
   return names;
+}
+
+std::int64_t AutoFidelity::most_seeds(std::size_t rung) const {
+  return rung + 1 == rungs_.size() ? options_.most_seeds : most_below_last;
 }
 
 void AutoFidelity::update(const db::Connection& connection) {
   std::vector<AutoRun> runs;
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
-    cells_[c].sketch.clear(), cells_[c].survey.clear();
-    for (std::int64_t seed = 1; seed <= most_sketches; ++seed)
-      runs.push_back({c, false, with_seed(cells_[c].sketch_scene, seed)});
-    for (std::int64_t seed = 1; seed <= options_.most_seeds; ++seed)
-      runs.push_back({c, true, with_seed(cells_[c].survey_scene, seed)});
-  }
-  for (const results::RunWithResult<AutoRun>& r : results::finished_runs(runs, &connection)) {
-    AutoCell& cell = cells_[r.run.cell];
-    (r.run.survey ? cell.survey : cell.sketch)
-        .push_back({r.row.result.outcome_class, r.row.result.b_over_a, r.core_seconds});
-  }
-  judge_all();
+  for (std::size_t c = 0; c < cells_.size(); ++c)
+    for (std::size_t r = 0; r < rungs_.size(); ++r) {
+      cells_[c].runs[r].clear();
+      for (std::int64_t seed = 1; seed <= most_seeds(r); ++seed)
+        runs.push_back({c, r, with_seed(cells_[c].scenes[r], seed)});
+    }
+  for (const results::RunWithResult<AutoRun>& r : results::finished_runs(runs, &connection))
+    cells_[r.run.cell].runs[r.run.rung].push_back(
+        {r.row.result.outcome_class, r.row.result.b_over_a, r.core_seconds});
+  learn_transfers();
+  look_around();
+  for (AutoCell& cell : cells_) judge(cell);
 }
 
-void AutoFidelity::judge_all() {
-  std::vector<std::vector<Sample>> sketches, surveys;
-  std::map<std::string, std::vector<Both>> both;  // by the class of the sketches
-  for (const AutoCell& cell : cells_) {
-    sketches.push_back(cell.sketch), surveys.push_back(cell.survey);
-    if (!cell.sketch.empty() && !cell.survey.empty())
-      both[leading_class(cell.sketch)].push_back({cell.sketch, cell.survey});
-  }
-  transfers_.clear();
-  for (const auto& [name, impacts] : both)
-    transfers_[name] = transfer_between(impacts, prior_scatter);
-  look_around();
-  const double coarse_deviation = typical_deviation(sketches, prior_deviation);
-  survey_deviation_ = typical_deviation(surveys, prior_deviation);
-  for (AutoCell& cell : cells_) {
-    if (!cell.sketch.empty()) {
-      cell.fidelity = coarse;
-      cell.verdict = answer_of(cell.sketch, coarse_deviation, transfer(leading_class(cell.sketch)),
-                               cell.around);
+void AutoFidelity::learn_transfers() {
+  for (std::size_t r = 0; r < rungs_.size(); ++r) {
+    std::vector<std::vector<Sample>> ensembles;
+    std::map<std::string, std::vector<Both>> both;  // by the class on this rung
+    for (const AutoCell& cell : cells_) {
+      ensembles.push_back(cell.runs[r]);
+      if (r + 1 < rungs_.size() && !cell.runs[r].empty() && !cell.runs[r + 1].empty())
+        both[leading_class(cell.runs[r])].push_back({cell.runs[r], cell.runs[r + 1]});
     }
-    if (cell.survey.empty()) continue;
-    const Answer finer = answer_of(cell.survey, survey_deviation_, {}, with_sketches(cell));
-    // A survey more must not make a sure answer less sure.
-    const bool sure = !cell.sketch.empty() && !cell.verdict.in_doubt(options_.confidence);
-    if (sure && agree(cell.survey) && bears_out(finer, cell.verdict)) continue;
-    cell.fidelity = fine;
+    deviations_[r] = typical_deviation(ensembles, prior_deviation);
+    transfers_[r].clear();
+    for (const auto& [name, impacts] : both)
+      transfers_[r][name] = transfer_between(impacts, prior_scatter);
+  }
+}
+
+/// What else is known of the classes of an impact: its neighbours, and the rung below, which
+/// counts as one neighbour more.
+ClassShares AutoFidelity::known_besides(const AutoCell& cell, std::size_t rung) const {
+  ClassShares shares = cell.around;
+  if (rung > 0)
+    for (const auto& [name, share] : class_shares(cell.runs[rung - 1])) shares[name] += 0.5 * share;
+  return shares;
+}
+
+void AutoFidelity::judge(AutoCell& cell) const {
+  cell.rung = -1;
+  for (std::size_t r = 0; r < rungs_.size(); ++r) {
+    const std::vector<Sample>& runs = cell.runs[r];
+    if (runs.empty()) continue;
+    const Answer finer = answer_of(runs, deviations_[r], transfer_to_top(r, leading_class(runs)),
+                                   known_besides(cell, r));
+    // A finer run more must not make a sure answer less sure.
+    const bool sure = cell.is_known() && !cell.verdict.in_doubt(options_.confidence);
+    if (sure && agree(runs) && bears_out(finer, cell.verdict)) continue;
+    cell.rung = static_cast<int>(r);
     cell.verdict = finer;
   }
 }
 
 bool AutoFidelity::is_mixed(const AutoCell& cell) const {
-  if (cell.survey.size() < fewest_of_mixed) return false;
-  const auto most = static_cast<std::size_t>(options_.most_seeds);
-  return best_p_outcome(cell.survey, most, with_sketches(cell)) < options_.confidence ||
-         best_p_side(cell.survey, survey_deviation_, most) < options_.confidence;
+  if (cell.finest() < 0) return false;
+  const auto r = static_cast<std::size_t>(cell.finest());
+  const std::vector<Sample>& runs = cell.runs[r];
+  if (r + 1 == rungs_.size() && runs.size() < fewest_of_mixed) return false;
+  const auto most = static_cast<std::size_t>(most_seeds(r));
+  return best_p_outcome(runs, most, known_besides(cell, r)) < options_.confidence ||
+         best_p_side(runs, deviations_[r], most, transfer_to_top(r, leading_class(runs))) <
+             options_.confidence;
 }
 
 std::vector<Wanted> AutoFidelity::next() const {
   std::vector<Wanted> wanted;
-  const auto ask = [&](const Scene& scene, bool survey, std::size_t done, std::int64_t most) {
-    const auto first = static_cast<std::int64_t>(done) + 1;
-    const std::int64_t last = std::max(first_seeds, first);
-    for (std::int64_t seed = first; seed <= std::min(last, most); ++seed)
-      wanted.push_back({with_seed(scene, seed), survey});
-  };
   for (const AutoCell& cell : cells_) {
-    if (!in_doubt(cell) || is_mixed(cell)) continue;
-    // More sketches help where all that is lacking is their number.
-    const double p = cell.verdict.p_elongated;
-    const bool only_few =
-        cell.survey.empty() && agree(cell.sketch) && std::max(p, 1 - p) >= options_.confidence;
-    if (cell.sketch.empty() || (only_few && std::ssize(cell.sketch) < most_sketches))
-      ask(cell.sketch_scene, false, cell.sketch.size(), most_sketches);
-    else
-      ask(cell.survey_scene, true, cell.survey.size(), options_.most_seeds);
+    if (!in_doubt(cell)) continue;
+    std::size_t rung = cell.finest() < 0 ? 0 : static_cast<std::size_t>(cell.finest());
+    const bool used_up = std::ssize(cell.runs[rung]) >= most_seeds(rung) || is_mixed(cell);
+    if (used_up && ++rung == rungs_.size()) continue;
+    const std::int64_t first = std::ssize(cell.runs[rung]) + 1, last = std::max(first_seeds, first);
+    for (std::int64_t seed = first; seed <= std::min(last, most_seeds(rung)); ++seed)
+      wanted.push_back({with_seed(cell.scenes[rung], seed), rung});
   }
   return wanted;
 }
 
-std::map<std::string, double> AutoFidelity::core_seconds() const {
-  std::map<std::string, double> sums;
-  for (const AutoCell& cell : cells_) {
-    for (const Sample& s : cell.sketch) sums[coarse] += s.core_seconds.value_or(0);
-    for (const Sample& s : cell.survey) sums[fine] += s.core_seconds.value_or(0);
-  }
+std::vector<double> AutoFidelity::core_seconds() const {
+  std::vector<double> sums(rungs_.size());
+  for (const AutoCell& cell : cells_)
+    for (std::size_t r = 0; r < rungs_.size(); ++r)
+      for (const Sample& s : cell.runs[r]) sums[r] += s.core_seconds.value_or(0);
   return sums;
 }
 
 double AutoFidelity::uniform_core_seconds() const {
-  double sum = 0;
-  std::size_t runs = 0;
-  for (const AutoCell& cell : cells_)
-    for (const Sample& s : cell.survey)
-      if (s.core_seconds) sum += *s.core_seconds, ++runs;
-  if (runs == 0) return 0;
-  return sum / static_cast<double>(runs) * static_cast<double>(options_.most_seeds) *
-         static_cast<double>(cells_.size());
+  for (std::size_t r = rungs_.size(); r-- > 0;) {
+    double sum = 0, runs = 0;
+    for (const AutoCell& cell : cells_)
+      for (const Sample& s : cell.runs[r])
+        if (s.core_seconds) sum += *s.core_seconds, ++runs;
+    if (runs > 0)
+      return sum / runs * static_cast<double>(options_.most_seeds) *
+             static_cast<double>(cells_.size());
+  }
+  return 0;
 }
 
 std::string auto_csv(const AutoFidelity& campaign) {
-  std::string csv =
-      "q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,fidelity,seeds,sketches,class,p_class,b_over_a,"
-      "p_largest_eer,confidence,in_doubt\n";
+  std::string csv = "q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,fidelity,seeds,";
+  for (const Rung& rung : campaign.rungs()) csv += fmt::format("runs_{},", rung.name);
+  csv += "class,p_class,b_over_a,p_largest_eer,confidence,in_doubt\n";
   for (const AutoCell& c : campaign.cells()) {
-    csv += point_of(c.survey_scene);
-    if (c.fidelity.empty())
-      csv += ",,0,0,,,,,,1\n";
+    csv += fmt::format("{},{},{},", point_of(c.scenes.front()), campaign.fidelity(c),
+                       c.is_known() ? c.seeds() : 0);
+    for (const std::vector<Sample>& runs : c.runs) csv += fmt::format("{},", runs.size());
+    if (!c.is_known())
+      csv += ",,,,,1\n";
     else
-      csv +=
-          fmt::format(",{},{},{},{},{:.3f},{:.4f},{:.3f},{:.3f},{}\n", c.fidelity, c.seeds(),
-                      c.sketch.size(), c.verdict.outcome, c.verdict.p_outcome, c.verdict.b_over_a,
-                      c.verdict.p_elongated, c.verdict.confidence(), campaign.in_doubt(c) ? 1 : 0);
+      csv += fmt::format("{},{:.3f},{:.4f},{:.3f},{:.3f},{}\n", c.verdict.outcome,
+                         c.verdict.p_outcome, c.verdict.b_over_a, c.verdict.p_elongated,
+                         c.verdict.confidence(), campaign.in_doubt(c) ? 1 : 0);
   }
   return csv;
 }

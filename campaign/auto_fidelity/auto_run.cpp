@@ -28,7 +28,7 @@ std::vector<Wanted> affordable_next(const AutoFidelity& campaign, double core_ho
 /// A field of what is known of an impact; of one that never ran "-".
 Field<AutoCell> known(Column column, std::function<Value(const AutoCell&)> value) {
   return {std::move(column),
-          [value](const AutoCell& c) { return c.fidelity.empty() ? Value() : value(c); }};
+          [value](const AutoCell& c) { return !c.is_known() ? Value() : value(c); }};
 }
 
 }  // namespace
@@ -47,9 +47,9 @@ manager::Tally run_auto(db::Connection& connection, AutoFidelity& campaign, cons
     if (plan.retry_failed && round == 1) db::retry_failed(connection, added.sweep);
     last = manager::tally(connection, added.sweep);
     if (last.left == 0) break;  // what is wanted has failed before
-    const auto surveys =
-        static_cast<std::size_t>(std::ranges::count(wanted, true, &Wanted::survey));
-    observer.begins({round, wanted.size() - surveys, surveys, last.left}, campaign);
+    AutoRound begun{round, std::vector<std::size_t>(campaign.rungs().size()), last.left};
+    for (const Wanted& run : wanted) ++begun.wanted[run.rung];
+    observer.begins(begun, campaign);
     manager::work(connection, added.sweep, workplace, observer);
     last = manager::tally(connection, added.sweep);
     if (last.left > 0) break;  // stopped, or paused
@@ -61,7 +61,7 @@ manager::Tally run_auto(db::Connection& connection, AutoFidelity& campaign, cons
 text::Table table_of_cells(const AutoFidelity& campaign) {
   const auto scene = [](const char* header, double (*value)(const Scene&)) {
     return Field<AutoCell>{shown(header),
-                           [value](const AutoCell& c) { return value(c.survey_scene); }};
+                           [value](const AutoCell& c) { return value(c.scenes.front()); }};
   };
   return text::table_of<AutoCell>(
       {scene("q", [](const Scene& s) { return s.impact.q; }),
@@ -69,7 +69,9 @@ text::Table table_of_cells(const AutoFidelity& campaign) {
        scene("v cm/s", [](const Scene& s) { return s.impact.v_imp_cm_per_s; }),
        scene("theta deg", [](const Scene& s) { return s.impact.theta_imp_deg; }),
        known(shown("rests on"),
-             [](const AutoCell& c) { return fmt::format("{} x {}", c.fidelity, c.seeds()); }),
+             [&](const AutoCell& c) {
+               return fmt::format("{} x {}", campaign.fidelity(c), c.seeds());
+             }),
        known(shown("class"), [](const AutoCell& c) { return c.verdict.outcome; }),
        known(shown("P(class)", "{:.2f}"), [](const AutoCell& c) { return c.verdict.p_outcome; }),
        known(shown("b/a", "{:.3f}"), [](const AutoCell& c) { return c.verdict.b_over_a; }),
@@ -77,14 +79,14 @@ text::Table table_of_cells(const AutoFidelity& campaign) {
              [](const AutoCell& c) { return c.verdict.p_elongated; }),
        {shown(""),
         [&](const AutoCell& c) {
-          return c.fidelity.empty() ? "not run" : campaign.in_doubt(c) ? "in doubt" : "";
+          return !c.is_known() ? "not run" : campaign.in_doubt(c) ? "in doubt" : "";
         }}},
       campaign.cells());
 }
 
 double spent_core_hours(const AutoFidelity& campaign) {
   double sum = 0;
-  for (const auto& [fidelity, seconds] : campaign.core_seconds()) sum += seconds;
+  for (const double seconds : campaign.core_seconds()) sum += seconds;
   return sum / 3600;
 }
 

@@ -13,7 +13,7 @@ namespace eerie::auto_fidelity {
 /// One round of an automatic choice: what is known, what is wanted, how much of it is to be run.
 struct AutoRound {
   int number = 1;
-  std::size_t sketches = 0, surveys = 0;  ///< wanted
+  std::vector<std::size_t> wanted;  ///< runs, rung by rung
   std::size_t left = 0;
 };
 

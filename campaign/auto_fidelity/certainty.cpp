@@ -70,14 +70,16 @@ double best_p_outcome(std::span<const Sample> samples, std::size_t most,
   return (static_cast<double>(most) - others + s + 0.5) / (static_cast<double>(most) + s + 1);
 }
 
-double best_p_side(std::span<const Sample> samples, double deviation, std::size_t most) {
+double best_p_side(std::span<const Sample> samples, double deviation, std::size_t most,
+                   const Transfer& transfer) {
   const statistics::Ensemble e = shapes(samples);
   if (e.runs == 0) return 1;
   const double variance = pooled_variance(e, deviation);
   const double error = std::sqrt(variance / static_cast<double>(e.runs));
   const auto n = static_cast<double>(most);
   return statistics::student_cdf(
-      (std::abs(e.mean - remnants::eer_max_b_over_a) + error) / std::sqrt(variance * (1 + 1 / n)),
+      (std::abs(e.mean + transfer.shift - remnants::eer_max_b_over_a) + error) /
+          std::sqrt(variance * (1 + 1 / n) + transfer.scatter * transfer.scatter),
       prior_runs + n - 1);
 }
 

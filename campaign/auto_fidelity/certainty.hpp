@@ -53,9 +53,10 @@ Answer answer_of(std::span<const Sample> samples, double deviation, const Transf
 double best_p_outcome(std::span<const Sample> samples, std::size_t most,
                       const ClassShares& neighbours = {});
 
-/// How sure the answer to b/a < 0.3 could become with `most` runs of this spread, were the mean of
-/// those that are there off by its standard error, away from 0.3.
-double best_p_side(std::span<const Sample> samples, double deviation, std::size_t most);
+/// How sure the answer to b/a < 0.3 of a finer run could become with `most` runs of this spread,
+/// were the mean of those that are there off by its standard error, away from 0.3.
+double best_p_side(std::span<const Sample> samples, double deviation, std::size_t most,
+                   const Transfer& transfer = {});
 
 /// The class of most runs; the first by name of equals. `samples` must not be empty.
 std::string leading_class(std::span<const Sample> samples);

@@ -41,8 +41,7 @@ bool copy(const db::Connection& from, const std::map<std::string, db::ResultRow>
 int replay(int argc, char** argv) {
   AutoOptions options;
   if (argc > 4) options.confidence = std::stod(argv[4]);
-  AutoFidelity campaign(load_sweep(argv[1], overrides_of_fidelity("sketch")),
-                        load_sweep(argv[1], overrides_of_fidelity("survey")), options);
+  AutoFidelity campaign(ladder(text::load_json(argv[1]), {}, argv[1]), options);
   const db::Connection from(argv[2], db::Access::read);
   std::map<std::string, db::ResultRow> known;
   for (db::ResultRow& row : db::results(from, {})) known.emplace(row.hash, std::move(row));
@@ -64,17 +63,20 @@ int replay(int argc, char** argv) {
     if (maps.size() == 1)
       draw_phase_diagram(fs::path(argv[3]).replace_extension(".svg"), maps.front());
     double spent = 0;
-    for (const auto& [fidelity, seconds] : campaign.core_seconds()) {
-      fmt::print("{}: {:.0f} core-s\n", fidelity, seconds);
+    for (std::size_t r = 0; r < campaign.rungs().size(); ++r) {
+      const double seconds = campaign.core_seconds()[r];
+      fmt::print("{}: {:.0f} core-s\n", campaign.rungs()[r].name, seconds);
       spent += seconds;
     }
     std::size_t doubts = 0;
     for (const AutoCell& cell : campaign.cells()) doubts += campaign.in_doubt(cell);
     fmt::print("all: {:.0f} core-s; {} of {} impacts in doubt; {} runs asked for are not there\n",
                spent, doubts, campaign.cells().size(), missing);
-    for (const std::string& name : campaign.classes())
-      fmt::print("{}: surveys are {:+.3f} +- {:.3f} in b/a from sketches\n", name,
-                 campaign.transfer(name).shift, campaign.transfer(name).scatter);
+    for (std::size_t r = 0; r + 1 < campaign.rungs().size(); ++r)
+      for (const std::string& name : campaign.classes(r))
+        fmt::print("{}: {} is {:+.3f} +- {:.3f} in b/a from {}\n", name,
+                   campaign.rungs()[r + 1].name, campaign.transfer(r, name).shift,
+                   campaign.transfer(r, name).scatter, campaign.rungs()[r].name);
   }
   for (const char* end : {"", "-wal", "-shm"}) fs::remove(scratch.string() + end);
   return 0;

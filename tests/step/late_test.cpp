@@ -1,6 +1,7 @@
 #include "solver/step/late.hpp"
 
 #include <gmock/gmock.h>
+#include <hdf5.h>
 
 #include <nlohmann/json.hpp>
 
@@ -85,10 +86,43 @@ TEST(LatePhase, ChangesNothingBeforeItBegins) {
   EXPECT_THAT(differences(late, never), testing::ElementsAre("scene"));  // but for what it allows
 }
 
+TEST(LatePhase, HoldsViscosityWhileMatterStillFlows) {
+  const Scene scene = late_impact();
+  const double alpha = scene.numerics.viscosity_alpha, c = bulk_sound_speed(scene);
+  const Scene slow = softened(scene, {0.25, false}), calm = softened(scene, {0.25, true});
+  EXPECT_DOUBLE_EQ(slow.numerics.viscosity_alpha * bulk_sound_speed(slow), alpha * c);
+  EXPECT_EQ(slow.numerics.viscosity_beta, scene.numerics.viscosity_beta);  // beta has no c
+  EXPECT_EQ(calm.numerics.viscosity_alpha, alpha);
+}
+
+TEST(LatePhase, IsReadFromFilesOfWhenItBeganOnlyOnceAllWasCalm) {
+  const TemporaryFolder folder;
+  run_in(folder, late_impact(), calm_from(30));
+  const std::filesystem::path file = folder / "final.hdf5";
+  const hid_t open = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  ASSERT_GE(H5Adelete_by_name(open, "State", "IsCalm", H5P_DEFAULT), 0);
+  H5Fclose(open);
+  EXPECT_EQ(io::read_snapshot(file).state.softening, (Softening{0.25, true}));
+}
+
+/// Matter moves slowly from 10 s on, more so from 20 s on, and is calm from 30 s on.
+run::RunOptions slower_and_slower() {
+  run::RunOptions options;
+  options.look = [](const io::Snapshot& s, const run::LookQuestion& question) -> run::LookAnswer {
+    if (!question.may_soften) return run::GoOn{};
+    const double t = s.state.time;
+    return run::Soften{t > 30   ? Softening{0.25, true}
+                       : t > 20 ? Softening{0.25, false}
+                       : t > 10 ? Softening{0.5, false}
+                                : Softening{}};
+  };
+  return options;
+}
+
 TEST(LatePhase, HasTheSameBitsForAnyNumberOfThreadsAndOfInterruptions) {
   const Scene scene = late_impact();
   const TemporaryFolder whole, pieces, threads;
-  run::RunOptions options = calm_from(30);
+  run::RunOptions options = slower_and_slower();
   run_in(whole, scene, options);
   const io::Snapshot expected = io::read_snapshot(whole / "final.hdf5");
   options.threads = 3;

@@ -34,11 +34,14 @@ void CampaignWatch::begins(std::size_t runs, std::size_t known, std::size_t left
 
 void CampaignWatch::begins(const auto_fidelity::AutoRound& round,
                            const auto_fidelity::AutoFidelity& campaign) {
-  out_.say(
-      "round {}: {} of {} impacts in doubt; {} sketches and {} surveys wanted, {} to run; {:.2f} "
-      "core-hours so far\n",
-      round.number, auto_fidelity::doubtful(campaign), campaign.cells().size(), round.sketches,
-      round.surveys, round.left, auto_fidelity::spent_core_hours(campaign));
+  std::string wanted;
+  for (std::size_t r = 0; r < round.wanted.size(); ++r)
+    if (round.wanted[r] > 0)
+      wanted += fmt::format("{}{} {}", wanted.empty() ? "" : ", ", round.wanted[r],
+                            campaign.rungs()[r].name);
+  out_.say("round {}: {} of {} impacts in doubt; wanted: {}; {} to run; {:.2f} core-hours so far\n",
+           round.number, auto_fidelity::doubtful(campaign), campaign.cells().size(), wanted,
+           round.left, auto_fidelity::spent_core_hours(campaign));
 }
 
 void conclude(Answer& answer, const manager::Tally& t, const std::string& how) {

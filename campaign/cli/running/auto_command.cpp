@@ -1,15 +1,12 @@
 #include "campaign/auto_fidelity/auto_fidelity.hpp"
 #include "campaign/cli/output/campaign_watch.hpp"
 #include "campaign/cli/running/run_arguments.hpp"
+#include "campaign/text/json_file.hpp"
 
 namespace eerie::cli {
 using auto_fidelity::AutoFidelity;
 
 namespace {
-
-sweeps::Sweep sweep_with(const RunArguments& a, const char* fidelity) {
-  return sweeps::load_sweep(a.sweep, SceneChanges{a.changes.overrides, fidelity}.all());
-}
 
 auto_fidelity::AutoOptions options_of(const RunArguments& a) {
   auto_fidelity::AutoOptions options;
@@ -18,22 +15,42 @@ auto_fidelity::AutoOptions options_of(const RunArguments& a) {
   return options;
 }
 
+/// "0.12 sketch, 0.34 survey".
+std::string hours_by_rung(const AutoFidelity& campaign) {
+  std::string text;
+  const std::vector<double> spent = campaign.core_seconds();
+  for (std::size_t r = 0; r < spent.size(); ++r)
+    if (spent[r] > 0)
+      text += fmt::format("{}{:.2f} {}", text.empty() ? "" : ", ", spent[r] / 3600,
+                          campaign.rungs()[r].name);
+  return text;
+}
+
+/// Core-seconds by fidelity.
+nlohmann::json bill(const AutoFidelity& campaign) {
+  nlohmann::json seconds = nlohmann::json::object();
+  const std::vector<double> spent = campaign.core_seconds();
+  for (std::size_t r = 0; r < spent.size(); ++r)
+    if (spent[r] > 0) seconds[campaign.rungs()[r].name] = spent[r];
+  return seconds;
+}
+
 Answer answer_of(const AutoFidelity& campaign, const std::string& sweep, const manager::Tally& last,
                  const std::vector<std::filesystem::path>& files) {
   Answer answer;
   conclude(answer, last);
   const std::size_t doubts = auto_fidelity::doubtful(campaign), all = campaign.cells().size();
   answer.data = {{"sweep", sweep},          {"impacts", all},
-                 {"in_doubt", doubts},      {"core_seconds", campaign.core_seconds()},
+                 {"in_doubt", doubts},      {"core_seconds", bill(campaign)},
                  {"failed", last.failed},   {"left", last.left},
                  {"files", names_of(files)}};
   answer.say("\n");
   answer.add(auto_fidelity::table_of_cells(campaign));
   const double uniform = campaign.uniform_core_seconds() / 3600;
   answer.say(
-      "\n{} impacts, {} in doubt; {:.2f} core-hours{}{}\n", all, doubts,
-      auto_fidelity::spent_core_hours(campaign),
-      uniform > 0 ? fmt::format(" (about {:.2f} for as many surveys of every impact as of "
+      "\n{} impacts, {} in doubt; {:.2f} core-hours: {}{}{}\n", all, doubts,
+      auto_fidelity::spent_core_hours(campaign), hours_by_rung(campaign),
+      uniform > 0 ? fmt::format(" (about {:.2f} for every impact as finely and often as "
                                 "the most doubtful)",
                                 uniform)
                   : "",
@@ -47,8 +64,11 @@ Answer answer_of(const AutoFidelity& campaign, const std::string& sweep, const m
 Answer run_auto(const RunArguments& a, Output& out) {
   if (!a.maps.empty())
     throw InputError("--map: --fidelity auto draws its own maps beside the database; leave it out");
-  const sweeps::Sweep sweep = sweep_with(a, "survey");
-  AutoFidelity campaign(sweep_with(a, "sketch"), sweep, options_of(a));
+  AutoFidelity campaign(
+      auto_fidelity::ladder(text::load_json(a.sweep), a.changes.overrides, a.sweep.string(),
+                            a.finest.empty() ? "fine" : a.finest),
+      options_of(a));
+  const sweeps::Sweep& sweep = campaign.rungs().back().sweep;
   require_consistent(a.engine);
   HeldDatabase held(a.database, a.engine);
   const auto_fidelity::AutoPlan plan{sweep.name + "-auto", sweeps::document(sweep), a.core_hours,

@@ -15,9 +15,10 @@ struct RunArguments {
   std::vector<std::filesystem::path> maps;  ///< besides the two beside the database
   bool retry_failed = false;
   EngineArguments engine;
-  // --fidelity auto; 0: its default
+  // --fidelity auto; 0 or empty: its default
   double confidence = 0, core_hours = 0;
   std::int64_t most_seeds = 0;
+  std::string finest;
 };
 
 /// `eerie run` with --fidelity auto.

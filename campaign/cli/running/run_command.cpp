@@ -74,7 +74,7 @@ Answer report(const db::Connection& connection, const RunArguments& a, std::int6
 void require_fixed_fidelity(const RunArguments& a) {
   for (const auto& [given, option] :
        {std::pair(a.confidence > 0, "--confidence"), std::pair(a.core_hours > 0, "--budget"),
-        std::pair(a.most_seeds > 0, "--most-seeds")})
+        std::pair(a.most_seeds > 0, "--most-seeds"), std::pair(!a.finest.empty(), "--finest")})
     if (given)
       throw InputError(
           fmt::format("{} needs --fidelity auto; add that, or leave {} out", option, option));
@@ -121,8 +121,10 @@ Action add_run(CLI::App& app) {
                  "with --fidelity auto: core-hours that it may cost (default: no limit)")
       ->check(CLI::Range(0.001, 1e7));
   app.add_option("--most-seeds", a->most_seeds,
-                 "with --fidelity auto: surveys of one impact at most (default: 8)")
+                 "with --fidelity auto: runs of one impact on the last rung at most (default: 8)")
       ->check(CLI::Range(1, 1000));
+  app.add_option("--finest", a->finest,
+                 "with --fidelity auto: the last rung that it climbs (default: fine)");
   add_engine(app, a->engine);
   add_formats(app);
   return [a](Output& out) { return run(*a, out); };

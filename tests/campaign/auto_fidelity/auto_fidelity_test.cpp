@@ -22,13 +22,12 @@ using testing::ThrowsMessage;
 const json grid = {{"name", "ridge"},
                    {"grid", {{"v_imp_cm_per_s", {15, 18, 20, 22}}, {"theta_imp_deg", {10, 15}}}}};
 
-sweeps::Sweep sweep_at(const char* fidelity, const json& sweep = grid) {
-  return sweeps::parse_sweep(sweep, sweeps::overrides_of_fidelity(fidelity), "ridge.json");
+/// A ladder of two rungs, but where a test wants more.
+AutoFidelity new_campaign(AutoOptions options = {}, const json& sweep = grid,
+                          const char* finest = "survey") {
+  return AutoFidelity(ladder(sweep, {}, "ridge.json", finest), options);
 }
-
-AutoFidelity new_campaign(AutoOptions options = {}) {
-  return AutoFidelity(sweep_at("sketch"), sweep_at("survey"), options);
-}
+constexpr std::size_t sketch = 0, survey = 1;
 
 /// What a solver would say: b/a falls with speed; at 20 cm/s it is close to 0.3, and at 22 cm/s
 /// every other seed splits.
@@ -48,8 +47,8 @@ std::size_t run_out(AutoFidelity& campaign, db::Connection& connection, Fails&& 
   for (int round = 0; round < 50; ++round) {
     campaign.update(connection);
     std::size_t fresh = 0;
-    for (const auto& [scene, survey] : campaign.next()) {
-      EXPECT_EQ(survey, scene.numerics.particles_per_target == 1000);
+    for (const auto& [scene, rung] : campaign.next()) {
+      EXPECT_EQ(sweeps::fidelity_of(to_json(scene)), campaign.rungs()[rung].name);
       if (!ran.insert(scene_hash(scene)).second) continue;
       ++fresh;
       const db::NewJob job = sweeps::new_job(scene);
@@ -68,8 +67,9 @@ std::size_t run_out(AutoFidelity& campaign, db::Connection& connection, Fails&& 
 }
 
 const AutoCell& cell_at(const AutoFidelity& campaign, double v) {
-  return *std::ranges::find(campaign.cells(), v,
-                            [](const AutoCell& c) { return c.survey_scene.impact.v_imp_cm_per_s; });
+  return *std::ranges::find(campaign.cells(), v, [](const AutoCell& c) {
+    return c.scenes.front().impact.v_imp_cm_per_s;
+  });
 }
 
 TEST(AutoFidelity, SketchesEveryImpactFirst) {
@@ -90,37 +90,37 @@ TEST(AutoFidelity, GoesOnlyWhereItIsInDoubt) {
   run_out(campaign, connection, [](const Scene&) { return false; });
   for (const double clear : {15.0, 18.0}) {
     const AutoCell& cell = cell_at(campaign, clear);
-    EXPECT_EQ(cell.fidelity, "sketch") << clear;
-    EXPECT_EQ(cell.sketch.size(), 2u);
-    EXPECT_TRUE(cell.survey.empty());
+    EXPECT_EQ(campaign.fidelity(cell), "sketch") << clear;
+    EXPECT_EQ(cell.runs[sketch].size(), 2u);
+    EXPECT_TRUE(cell.runs[survey].empty());
     EXPECT_FALSE(campaign.in_doubt(cell));
   }
   for (const double doubtful : {20.0, 22.0}) {
     const AutoCell& cell = cell_at(campaign, doubtful);
-    EXPECT_EQ(cell.fidelity, "survey") << doubtful;
+    EXPECT_EQ(campaign.fidelity(cell), "survey") << doubtful;
     EXPECT_TRUE(campaign.in_doubt(cell));
   }
   // Four more could make neither nine in ten: both answers are that it may be either.
   for (const double mixed : {20.0, 22.0}) {
-    EXPECT_EQ(cell_at(campaign, mixed).survey.size(), 4u);
+    EXPECT_EQ(cell_at(campaign, mixed).runs[survey].size(), 4u);
     EXPECT_TRUE(campaign.is_mixed(cell_at(campaign, mixed)));
   }
   EXPECT_NEAR(cell_at(campaign, 20).verdict.p_elongated, 0.5, 0.2);
   EXPECT_LT(cell_at(campaign, 22).verdict.p_outcome, 0.7);
-  const auto spent = campaign.core_seconds();
-  EXPECT_EQ(spent.at("survey"), 2 * (4 + 4) * 15);
-  EXPECT_LT(spent.at("sketch") + spent.at("survey"), 0.4 * 8 * 8 * 15);
+  const std::vector<double> spent = campaign.core_seconds();
+  EXPECT_EQ(spent[survey], 2 * (4 + 4) * 15);
+  EXPECT_LT(spent[sketch] + spent[survey], 0.4 * 8 * 8 * 15);
   EXPECT_EQ(campaign.uniform_core_seconds(), 8 * 8 * 15);
-  EXPECT_THAT(auto_csv(campaign), HasSubstr("1,40,15,10,sketch,2,2,perfect-merging,0.900,"));
+  EXPECT_THAT(auto_csv(campaign), HasSubstr("1,40,15,10,sketch,2,2,0,perfect-merging,0.900,"));
 }
 
 TEST(AutoFidelity, NeedsMoreRunsWhereNoNeighbourIsOfTheSameClass) {
   const json one = {{"name", "one"}, {"grid", {{"v_imp_cm_per_s", {15}}, {"theta_imp_deg", {10}}}}};
   const test::TemporaryFolder folder;
   db::Connection connection(folder / "a.sqlite", db::Access::write);
-  AutoFidelity alone(sweep_at("sketch", one), sweep_at("survey", one), {});
+  AutoFidelity alone = new_campaign({}, one);
   run_out(alone, connection, [](const Scene&) { return false; });
-  EXPECT_EQ(cell_at(alone, 15).sketch.size(), 4u);
+  EXPECT_EQ(cell_at(alone, 15).runs[sketch].size(), 4u);
   EXPECT_FALSE(alone.in_doubt(cell_at(alone, 15)));
 }
 
@@ -129,7 +129,7 @@ TEST(AutoFidelity, TakesForNeighboursWhatIsOneStepOfSpeedOrAngleAway) {
   EXPECT_THAT(campaign.cells()[0].neighbours, testing::UnorderedElementsAre(1, 4));
   EXPECT_THAT(campaign.cells()[5].neighbours, testing::UnorderedElementsAre(1, 4, 6));
   const json other = {{"name", "q"}, {"grid", {{"q", {0.5, 1}}, {"v_imp_cm_per_s", {15, 18}}}}};
-  const AutoFidelity two(sweep_at("sketch", other), sweep_at("survey", other), {});
+  const AutoFidelity two = new_campaign({}, other);
   EXPECT_THAT(two.cells()[0].neighbours, testing::ElementsAre(1));
 }
 
@@ -161,17 +161,64 @@ TEST(AutoFidelity, IsNoLessSureForASurveyThatSaysTheSame) {
   AutoFidelity campaign = new_campaign();
   run_out(campaign, connection, [](const Scene&) { return false; });
   const AutoCell clear = cell_at(campaign, 15);
-  ASSERT_EQ(clear.fidelity, "sketch");
-  const db::NewJob job = sweeps::new_job(clear.survey_scene);
+  ASSERT_EQ(campaign.fidelity(clear), "sketch");
+  const db::NewJob job = sweeps::new_job(clear.scenes[survey]);
   const std::int64_t sweep = db::add_sweep(connection, "more", "{}", std::vector{job}).sweep;
   const std::int64_t id = db::jobs(connection, {sweep}).front().id;
   db::begin_attempts(connection, std::vector{db::Start{id, "here", "", "1"}});
-  db::finish(connection, id, test::ended(db::ExitReason::finished), outcome_of(clear.survey_scene),
-             {});
+  db::finish(connection, id, test::ended(db::ExitReason::finished),
+             outcome_of(clear.scenes[survey]), {});
   campaign.update(connection);
-  EXPECT_EQ(cell_at(campaign, 15).survey.size(), 1u);
-  EXPECT_EQ(cell_at(campaign, 15).fidelity, "sketch");
+  EXPECT_EQ(cell_at(campaign, 15).runs[survey].size(), 1u);
+  EXPECT_EQ(campaign.fidelity(cell_at(campaign, 15)), "sketch");
   EXPECT_TRUE(campaign.next().empty());
+}
+
+TEST(AutoFidelity, ClimbsRungByRungWhereDoubtIsLeft) {
+  const test::TemporaryFolder folder;
+  db::Connection connection(folder / "a.sqlite", db::Access::write);
+  AutoFidelity campaign = new_campaign({}, grid, "standard");
+  run_out(campaign, connection, [](const Scene&) { return false; });
+  const AutoCell &clear = cell_at(campaign, 15), &doubtful = cell_at(campaign, 20);
+  EXPECT_EQ(clear.finest(), 0);
+  // No seeds are spent where they could not help: two below, four on the last rung.
+  EXPECT_EQ(campaign.fidelity(doubtful), "standard");
+  EXPECT_EQ(doubtful.runs[sketch].size(), 2u);
+  EXPECT_EQ(doubtful.runs[survey].size(), 2u);
+  EXPECT_EQ(doubtful.runs[2].size(), 4u);
+}
+
+TEST(AutoFidelity, LearnsFromEachRungWhatTheOneBelowErrs) {
+  // Every sketch lies 0.1 above what finer runs say.
+  const test::TemporaryFolder folder;
+  db::Connection connection(folder / "a.sqlite", db::Access::write);
+  const auto add = [&](Scene scene, double b_over_a) {
+    for (const int seed : {1, 2}) {
+      scene.numerics.seed = seed;
+      const db::NewJob job = sweeps::new_job(scene);
+      const std::int64_t sweep = db::add_sweep(connection, job.hash, "{}", std::vector{job}).sweep;
+      const std::int64_t id = db::jobs(connection, {sweep}).front().id;
+      db::begin_attempts(connection, std::vector{db::Start{id, "here", "", "1"}});
+      db::finish(connection, id, test::ended(db::ExitReason::finished),
+                 test::sample_result(b_over_a), {});
+    }
+  };
+  AutoFidelity campaign = new_campaign({}, grid, "standard");
+  for (const AutoCell& cell : campaign.cells()) {
+    add(cell.scenes[sketch], 0.5), add(cell.scenes[survey], 0.4);
+  }
+  campaign.update(connection);
+  const std::string merger = test::sample_result(0.5).outcome_class;
+  // Eight impacts against prior knowledge worth four.
+  EXPECT_NEAR(campaign.transfer(sketch, merger).shift, -0.1 * 8 / 12, 1e-12);
+  EXPECT_EQ(campaign.transfer(survey, merger).shift, 0);
+  EXPECT_EQ(campaign.transfer(survey, merger).scatter, 0.05);
+}
+
+TEST(AutoFidelity, RefusesALastRungThatIsNone) {
+  EXPECT_THAT([] { new_campaign({}, grid, "paper"); },
+              ThrowsMessage<InputError>(
+                  HasSubstr("--finest paper: must be one of sketch, survey, standard, fine")));
 }
 
 TEST(AutoFidelity, EndsWhereRunsFail) {
@@ -181,7 +228,7 @@ TEST(AutoFidelity, EndsWhereRunsFail) {
   run_out(campaign, connection, [](const Scene& s) {
     return s.impact.v_imp_cm_per_s == 15 && s.impact.theta_imp_deg == 10;
   });
-  EXPECT_TRUE(campaign.cells().front().fidelity.empty());
+  EXPECT_FALSE(campaign.cells().front().is_known());
   EXPECT_TRUE(campaign.in_doubt(campaign.cells().front()));
   EXPECT_FALSE(campaign.in_doubt(cell_at(campaign, 18)));
 }
@@ -197,7 +244,7 @@ TEST(AutoFidelity, RefusesAConfidenceThatItsSeedsCannotGive) {
 
 TEST(AutoFidelity, RefusesAGridOfSeeds) {
   const json seeds = {{"name", "s"}, {"grid", {{"numerics.seed", {1, 2}}}}};
-  EXPECT_THAT([&] { AutoFidelity(sweep_at("sketch", seeds), sweep_at("survey", seeds), {}); },
+  EXPECT_THAT([&] { new_campaign({}, seeds); },
               ThrowsMessage<InputError>(HasSubstr("numerics.seed")));
 }
 
