@@ -30,7 +30,7 @@ inline constexpr Scheme schemes[] = {
     {"closing-voids", R"({"void_density": 0.95})", "viscosity-50000"},
     // The same, but a free surface is no void, and what costs less at the same answer.
     {"closing-gaps", R"({"voids": "gaps", "integrator": "staggered", "cfl": 1.1,
-                         "flow_mach": 0.1, "gravity_tolerance": 1e-3})",
+                         "flow_mach": 0.1, "gravity_tolerance": 2e-4})",
      "closing-voids"},
     // Sugiura, Kobayashi & Inutsuka (2019) after Libersky & Petschek (1991) and Sugiura et al.
     // (2018): h of one spacing, the correction in the stress rate alone, Monaghan's viscosity.

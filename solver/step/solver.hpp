@@ -130,6 +130,8 @@ class Solver {
   void set_forces(std::size_t i, std::size_t count, const sph::PackedSums& sums);
   void grow_damage(double duration);
   void evaluate_gravity(double elapsed, double planned);
+  bool knows_gravity_rate() const;
+  bool is_staggered() const { return std::holds_alternative<Staggered>(integrator_); }
 
   /// The pressure that friction feels.
   double confining_pressure(std::size_t i) const {
