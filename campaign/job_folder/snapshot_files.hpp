@@ -14,7 +14,7 @@ struct SnapshotFile {
 
 /// snapshot_NNNN.hdf5 and final.hdf5 of a folder in order of time; where two are of one time, the
 /// first. Only their times are read. Throws InputError where the folder holds none.
-std::vector<SnapshotFile> snapshot_series(const std::filesystem::path& folder);
+std::vector<SnapshotFile> snapshot_files(const std::filesystem::path& folder);
 
 /// Index of the snapshot nearest each time, s. Throws InputError with the times that there are and
 /// how to have more written, where the nearest is farther away than half of

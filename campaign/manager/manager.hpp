@@ -106,7 +106,7 @@ class Manager {
   ManagerOptions options_;
   job_folder::JobFolder folder_;
   Inbox inbox_;
-  DiskGuard disks_;
+  SpaceGuard disks_;
   db::JobCounts counts_;
   std::vector<db::Job> queue_;               ///< jobs to be started next, the very next one last
   std::map<std::int64_t, Running> running_;  ///< with a worker of this manager

@@ -34,7 +34,7 @@ enum class StopKind {
   at_once,
 };
 
-/// The engine takes no work now, which time may mend; the text says why.
+/// The scheduler takes no work now, which time may mend; the text says why.
 struct SchedulerUnavailable : EnvironmentError {
   using EnvironmentError::EnvironmentError;
 };

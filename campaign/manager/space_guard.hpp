@@ -11,11 +11,11 @@
 namespace eerie::manager {
 
 /// Watches the disks of a campaign, so that it waits for room instead of failing for want of it.
-class DiskGuard {
+class SpaceGuard {
  public:
   using Clock = std::chrono::steady_clock;
 
-  DiskGuard(std::vector<std::filesystem::path> folders, std::uintmax_t least_free)
+  SpaceGuard(std::vector<std::filesystem::path> folders, std::uintmax_t least_free)
       : folders_(std::move(folders)), least_free_(least_free) {}
 
   /// Somebody found a disk full: it counts as full for a while, each time twice as long, or until

@@ -25,7 +25,7 @@ pictures::ColourScale common_scale(std::vector<pictures::ColourScale> scales, do
 }  // namespace
 
 RunPictures::RunPictures(const fs::path& folder, pictures::ParticleColour colour, bool cut)
-    : series_(job_folder::snapshot_series(folder)), scale_{colour, 0, 0}, cut_(cut) {
+    : series_(job_folder::snapshot_files(folder)), scale_{colour, 0, 0}, cut_(cut) {
   if (colour != pictures::ParticleColour::depth) return;
   const fs::path first = job_folder::JobDirectory{folder}.first_snapshot();
   if (!fs::exists(first))

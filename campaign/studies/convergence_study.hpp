@@ -12,9 +12,9 @@
 
 namespace eerie::studies {
 
-/// A convergence study, as read from its file (study.schema.json): some impacts at several
-/// particle numbers, each with several seeds, by one or more schemes.
-struct Study {
+/// A convergence study, as read from its file (convergence_study.schema.json): some impacts at
+/// several particle numbers, each with several seeds, by one or more schemes.
+struct ConvergenceStudy {
   struct Published {
     std::optional<double> b_over_a, m_1_over_m_total, period_h;
     std::optional<bool> eer;  ///< whether one of the three largest remnants has b/a < 0.3
@@ -39,11 +39,11 @@ struct Study {
 };
 
 /// Throws InputError naming path, value, allowed range and mend.
-Study parse_study(const nlohmann::json& document, const std::string& where);
-Study load_study(const std::filesystem::path& path);
+ConvergenceStudy parse_convergence_study(const nlohmann::json& document, const std::string& where);
+ConvergenceStudy load_convergence_study(const std::filesystem::path& path);
 
 /// One run of a study.
-struct StudyRun {
+struct ConvergenceRun {
   std::string scheme, case_name;
   std::int64_t particles_per_target = 0, seed = 0;
   Scene scene;
@@ -52,6 +52,6 @@ struct StudyRun {
 /// All runs in the order in which they are worth having: by the cost of a particle number,
 /// N^(4/3), times the seed, so that a dear run comes when as much has gone into more seeds of cheap
 /// ones.
-std::vector<StudyRun> runs_of(const Study& study);
+std::vector<ConvergenceRun> runs_of(const ConvergenceStudy& study);
 
 }  // namespace eerie::studies

@@ -9,11 +9,11 @@
 
 namespace eerie::studies {
 
-using ChartResult = results::RunWithResult<ChartRun>;
+using CostResult = results::RunWithResult<CostRun>;
 
 /// Those of one setting and case.
-results::RunGroup<ChartRun> runs_with(const std::vector<ChartResult>& results, std::size_t setting,
-                                      std::size_t case_index);
+results::RunGroup<CostRun> runs_with(const std::vector<CostResult>& results, std::size_t setting,
+                                     std::size_t case_index);
 
 /// How far the answers of one setting are from the reference's, over the cases of a study.
 struct Deviation {
@@ -22,7 +22,7 @@ struct Deviation {
 };
 
 /// One setting: what an impact costs with it and how far its answers are off.
-struct ChartPoint {
+struct CostPoint {
   std::size_t setting = 0;
   std::size_t runs = 0;
   std::string cases;                            ///< the impacts that it has results of, "A, G"
@@ -40,15 +40,13 @@ struct ChartPoint {
 /// A point of some cases only is no part of the frontier: its cost and error are those of these.
 /// Spreads are
 /// pooled over the settings of a case, since few seeds say little of their own spread.
-std::vector<ChartPoint> chart_points(const ChartStudy& study,
-                                     const std::vector<ChartResult>& results);
+std::vector<CostPoint> cost_points(const CostStudy& study, const std::vector<CostResult>& results);
 
 /// One line per setting, units in the header.
-std::string chart_csv(const ChartStudy& study, const std::vector<ChartPoint>& points);
+std::string cost_csv(const CostStudy& study, const std::vector<CostPoint>& points);
 /// One line per run.
-std::string chart_runs_csv(const ChartStudy& study, const std::vector<ChartResult>& results);
+std::string cost_runs_csv(const CostStudy& study, const std::vector<CostResult>& results);
 
-figures::AccuracyFigure chart_figure(const ChartStudy& study,
-                                     const std::vector<ChartPoint>& points);
+figures::AccuracyFigure cost_figure(const CostStudy& study, const std::vector<CostPoint>& points);
 
 }  // namespace eerie::studies

@@ -10,9 +10,9 @@
 
 namespace eerie::studies {
 
-/// A study of cost against accuracy, as read from its file (chart.schema.json): some impacts with
-/// default settings, with one knob at a time turned, and with the settings of a reference.
-struct ChartStudy {
+/// A study of cost against accuracy, as read from its file (cost_study.schema.json): some impacts
+/// with default settings, with one knob at a time turned, and with the settings of a reference.
+struct CostStudy {
   struct Case {
     std::string name, title;
     nlohmann::json scene;  ///< with that of the study and its fidelity
@@ -32,17 +32,17 @@ inline constexpr const char* default_knob = "default";
 inline constexpr const char* reference_knob = "reference";
 
 /// Throws InputError naming path, value, allowed range and mend.
-ChartStudy parse_chart_study(const nlohmann::json& document, const std::string& where);
-ChartStudy load_chart_study(const std::filesystem::path& path);
+CostStudy parse_cost_study(const nlohmann::json& document, const std::string& where);
+CostStudy load_cost_study(const std::filesystem::path& path);
 
 /// One run of such a study.
-struct ChartRun {
+struct CostRun {
   std::size_t setting = 0, case_index = 0;
   std::int64_t seed = 1;
   Scene scene;
 };
 
 /// All runs, the first seeds of all settings first.
-std::vector<ChartRun> runs_of(const ChartStudy& study);
+std::vector<CostRun> runs_of(const CostStudy& study);
 
 }  // namespace eerie::studies

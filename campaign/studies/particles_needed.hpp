@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/studies/study_results.hpp"
+#include "campaign/studies/convergence_results.hpp"
 
 namespace eerie::studies {
 
@@ -20,7 +20,7 @@ struct Limit {
 inline constexpr double known_limit = 0.1;
 
 /// From which particle number on a scheme is right about one impact.
-struct Reach {
+struct ParticlesNeeded {
   std::string case_name, scheme;
   std::int64_t finest = 0;  ///< the largest particle number that was run
   /// The least number from which on every mean is within the bounds above of that of the finest;
@@ -39,7 +39,8 @@ struct Reach {
 };
 
 /// Of every case and scheme with results, in the order of the study.
-std::vector<Reach> reaches_of(const Study& study, const std::vector<StudyCell>& cells);
-std::string reaches_csv(const std::vector<Reach>& reaches);
+std::vector<ParticlesNeeded> particles_needed(const ConvergenceStudy& study,
+                                              const std::vector<ConvergenceCell>& cells);
+std::string particles_needed_csv(const std::vector<ParticlesNeeded>& needed);
 
 }  // namespace eerie::studies

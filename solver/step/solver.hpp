@@ -107,7 +107,7 @@ class Solver {
   void reorder();
   void find_voids();
   void close_voids();
-  bool is_void(std::size_t i) const { return !has_room_.empty() && has_room_[i]; }
+  bool is_void(std::size_t i) const { return !is_void_.empty() && is_void_[i]; }
   void apply_material(Ahead ahead);
   void apply_laws(std::size_t bucket, double ahead, std::array<Predicted, tree::bucket_size>& out);
   void fill_rows(std::size_t bucket, Ahead ahead,
@@ -174,10 +174,10 @@ class Solver {
   tree::Gravity gravity_;
   tree::NeighbourList lists_;
   tree::KdTree tree_;
-  std::vector<float> yield_factor_;     ///< what yielding leaves of the predicted stress
-  std::vector<double> pressure_;        ///< at the time of the rates
-  std::vector<std::uint8_t> has_room_;  ///< room around a particle; empty where nobody asks
-  long since_gravity_ = 0;              ///< steps since gravity was evaluated
+  std::vector<float> yield_factor_;    ///< what yielding leaves of the predicted stress
+  std::vector<double> pressure_;       ///< at the time of the rates
+  std::vector<std::uint8_t> is_void_;  ///< room around a particle; empty where nobody asks
+  long since_gravity_ = 0;             ///< steps since gravity was evaluated
   double dt_ = 0;
   long list_builds_ = 0, builds_in_order_ = 0, uncorrected_ = 0;
   /// No particle gets further than reach + fastest_expected (t - begun).

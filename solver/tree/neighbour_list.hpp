@@ -17,7 +17,7 @@ namespace eerie::tree {
 /// that contributes nothing.
 struct BucketList {
   std::vector<std::uint32_t> rows;                     ///< particles, by memory index
-  std::vector<std::uint8_t> images;                    ///< with walls, of each row: see Image
+  std::vector<std::uint8_t> images;                    ///< with walls, of each row: see MirrorImage
   std::vector<std::uint16_t> index;                    ///< all lists one after another
   std::array<std::uint32_t, bucket_size + 1> begin{};  ///< list k: index[begin[k]..begin[k+1])
 

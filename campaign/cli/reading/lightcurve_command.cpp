@@ -29,7 +29,7 @@ struct LightCurveArguments {
 /// The snapshot itself, or the last one of a job or folder.
 fs::path snapshot_of(const LightCurveArguments& a) {
   if (fs::path(a.job).extension() == ".hdf5") return a.job;
-  return job_folder::snapshot_series(queries::folder_of(a.database, a.job).path).back().path;
+  return job_folder::snapshot_files(queries::folder_of(a.database, a.job).path).back().path;
 }
 
 std::vector<fs::path> write_figure(const fs::path& picture,

@@ -49,14 +49,14 @@ Answer run_auto(const RunArguments& a, Output& out) {
     throw InputError("--map: --fidelity auto draws its own maps beside the database; leave it out");
   const sweeps::Sweep sweep = sweep_with(a, "survey");
   AutoFidelity campaign(sweep_with(a, "sketch"), sweep, options_of(a));
-  require_consistent(a.engine);
-  HeldDatabase held(a.database, a.engine);
+  require_consistent(a.scheduler);
+  HeldDatabase held(a.database, a.scheduler);
   const auto_fidelity::AutoPlan plan{sweep.name + "-auto", sweeps::document(sweep), a.core_hours,
                                      a.retry_failed};
   manager::Tally last;
   {
     CampaignWatch watch(plan.name, out);
-    last = auto_fidelity::run_auto(held.connection, campaign, plan, workplace(a.engine, a.share),
+    last = auto_fidelity::run_auto(held.connection, campaign, plan, workplace(a.scheduler, a.share),
                                    watch);
   }
   const std::string stem = fmt::format("{}-{}-auto", a.database.stem().string(), sweep.name);

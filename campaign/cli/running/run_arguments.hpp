@@ -14,7 +14,7 @@ struct RunArguments {
   SceneChanges changes;
   std::vector<std::filesystem::path> maps;  ///< besides the two beside the database
   bool retry_failed = false;
-  EngineArguments engine;
+  SchedulerArguments scheduler;
   // --fidelity auto; 0: its default
   double confidence = 0, core_hours = 0;
   std::int64_t most_seeds = 0;

@@ -37,7 +37,7 @@ Answer report(const db::Connection& connection, const RunArguments& a, std::int6
   Answer answer;
   conclude(
       answer, t,
-      a.engine.is_local() ? " from the checkpoints" : "; what is in Slurm's queue stays there");
+      a.scheduler.is_local() ? " from the checkpoints" : "; what is in Slurm's queue stays there");
   std::vector<fs::path> pictures;
   try {
     pictures = draw(connection, a, sweep, name);
@@ -89,15 +89,15 @@ Answer run(const RunArguments& a, Output& out) {
     maps::require_map_files(a.maps, "--map");
     maps::require_one_figure(plan.jobs, "--map " + a.maps.front().string());
   }
-  require_consistent(a.engine);
-  HeldDatabase held(a.database, a.engine);
+  require_consistent(a.scheduler);
+  HeldDatabase held(a.database, a.scheduler);
   const db::AddedSweep added = sweeps::store(held.connection, plan);
   if (a.retry_failed) db::retry_failed(held.connection, added.sweep);
   if (const std::size_t left = manager::tally(held.connection, added.sweep).left; left > 0) {
     out.say("{}: {} jobs, {} new, {} to run\n", name, added.jobs, added.added, left);
     print_warnings(sweeps::cautions(plan.scenes));
     CampaignWatch watch(name, out);
-    manager::work(held.connection, added.sweep, workplace(a.engine, a.share), watch);
+    manager::work(held.connection, added.sweep, workplace(a.scheduler, a.share), watch);
   } else {
     out.say("{}: nothing left to do\n", name);
   }
@@ -123,7 +123,7 @@ Action add_run(CLI::App& app) {
   app.add_option("--most-seeds", a->most_seeds,
                  "with --fidelity auto: surveys of one impact at most (default: 8)")
       ->check(CLI::Range(1, 1000));
-  add_engine(app, a->engine);
+  add_scheduler(app, a->scheduler);
   add_formats(app);
   return [a](Output& out) { return run(*a, out); };
 }

@@ -5,22 +5,21 @@
 #include <vector>
 
 #include "campaign/job_folder/job_directory.hpp"
+#include "campaign/studies/convergence_results.hpp"
 #include "campaign/studies/particles_needed.hpp"
-#include "campaign/studies/study_results.hpp"
 #include "campaign/text/table.hpp"
 
 namespace eerie::studies {
 
 /// A line per ensemble, for people.
-text::Table table_of_cells(const std::vector<StudyCell>& cells);
+text::Table table_of_cells(const std::vector<ConvergenceCell>& cells);
 /// From which particle number on each scheme is right, for people.
-text::Table table_of_reaches(const std::vector<Reach>& reaches);
+text::Table table_of_particles_needed(const std::vector<ParticlesNeeded>& needed);
 
 /// Writes all tables, the page and the figures of a study into a folder that is there; the
 /// diagnosis where its job folders are. Returns the files.
-std::vector<std::filesystem::path> write_study(const Study& study,
-                                               const std::vector<StudyResult>& results,
-                                               const std::filesystem::path& folder,
-                                               const std::optional<job_folder::JobFolder>& jobs);
+std::vector<std::filesystem::path> write_convergence_study(
+    const ConvergenceStudy& study, const std::vector<ConvergenceResult>& results,
+    const std::filesystem::path& folder, const std::optional<job_folder::JobFolder>& jobs);
 
 }  // namespace eerie::studies
