@@ -31,7 +31,7 @@ struct ImpactPoint {
 /// The distinct points of some grids, sorted by angle and speed.
 std::vector<ImpactPoint> points_of(const std::vector<PaperGrid>& grids);
 
-/// A range of speeds and angles, ends included.
+/// A range of numbers, ends included.
 struct Span {
   double low = 0, high = 0;
   bool holds(double value) const { return low - 1e-9 <= value && value <= high + 1e-9; }

@@ -30,7 +30,7 @@ struct RidgeBound {
 /// The ridge at one angle.
 struct RidgeRow {
   double theta_imp_deg = 0;
-  std::size_t speeds = 0;  ///< sampled
+  std::size_t speeds = 0;  ///< number of sampled speeds
   double weight = 0;       ///< sum of P(EER) dv, cm/s
   double v_centre = 0;     ///< mean speed, weighted by P(EER) dv, cm/s
   bool open = false;  ///< the first or last sampled speed makes EERs, so the centre is not known

@@ -14,7 +14,7 @@ namespace eerie::remnants {
 /// The analysis of one snapshot of an impact.
 struct Analysis {
   OutcomeClass outcome = OutcomeClass::erosion;
-  double m_lr_over_m_total = 0;   ///< largest bound group
+  double m_lr_over_m_total = 0;   ///< mass of the largest bound group
   double m_slr_over_m_total = 0;  ///< mass of the second largest bound group
   bool settled = true;            ///< no two remnants will meet (again)
   std::string unsettled_reason;   ///< with the numbers; empty when settled
