@@ -10,18 +10,19 @@
 
 namespace eerie::studies {
 
-/// What carries the rubble over time, by scheme: the run of the most particles, seed 1; nothing
-/// where no history of the case says it.
+/// A figure of what carries the rubble over time, for each scheme. It uses the run with the most
+/// particles and seed 1. Nothing where no history of the case has the numbers.
 std::optional<figures::ConvergenceFigure> diagnosis_figure(
     const ConvergenceStudy& study, const ConvergenceStudy::Case& one,
     const std::vector<ConvergenceResult>& results, const job_folder::JobFolder& jobs);
 
-/// Where load and energy are looked at while the bodies are drawn out, s.
+/// The time, s, at which load and energy are read, while the bodies are being stretched.
 inline constexpr double diagnosis_time_s = 1000;
 
-/// The same in numbers, one line per case and scheme: heats and the most elastic energy of shear
-/// over the kinetic energy at contact (empty without an energy equation), load and density at
-/// diagnosis_time_s, drift of the angular momentum at the end. Units in the header.
+/// A CSV table with one line per case and scheme, and units in the header. It has heats and the
+/// largest elastic energy of shear, in units of the kinetic energy at contact (empty without an
+/// energy equation); load and density at diagnosis_time_s; and the drift of the angular momentum at
+/// the end.
 std::string diagnosis_csv(const ConvergenceStudy& study,
                           const std::vector<ConvergenceResult>& results,
                           const job_folder::JobFolder& jobs);

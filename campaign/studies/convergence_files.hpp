@@ -11,13 +11,13 @@
 
 namespace eerie::studies {
 
-/// A line per ensemble, for people.
+/// A table with one row per ensemble, for people.
 text::Table table_of_cells(const std::vector<ConvergenceCell>& cells);
-/// From which particle number on each scheme is right, for people.
+/// A table of the particle numbers from which on schemes are right, for people.
 text::Table table_of_particles_needed(const std::vector<ParticlesNeeded>& needed);
 
-/// Writes all tables, the page and the figures of a study into a folder that is there; the
-/// diagnosis where its job folders are. Returns the files.
+/// Writes all tables, the page and the figures of a study into a folder that exists. It writes the
+/// diagnosis where job folders exist. Returns the files.
 std::vector<std::filesystem::path> write_convergence_study(
     const ConvergenceStudy& study, const std::vector<ConvergenceResult>& results,
     const std::filesystem::path& folder, const std::optional<job_folder::JobFolder>& jobs);

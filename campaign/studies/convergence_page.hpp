@@ -8,8 +8,9 @@
 
 namespace eerie::studies {
 
-/// A study's results as a page in Markdown: for each case its figure (NAME.svg beside the page),
-/// its ensembles, what was published, and from which particle number on each scheme is right.
+/// The results of a study as a page in Markdown. Each case has its figure (NAME.svg beside the
+/// page), its ensembles, the published numbers, and the particle number from which on each scheme
+/// is right.
 std::string convergence_page(const ConvergenceStudy& study,
                              const std::vector<ConvergenceCell>& cells,
                              const std::vector<ParticlesNeeded>& needed);

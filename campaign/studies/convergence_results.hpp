@@ -15,8 +15,8 @@ namespace eerie::studies {
 /// A finished run of a study.
 using ConvergenceResult = results::RunWithResult<ConvergenceRun>;
 
-/// One line per finished run; units in the header. Empty fields: there is no such remnant, or it
-/// does not spin.
+/// A CSV table with one line per finished run, and units in the header. A field is empty where
+/// there is no such remnant or where it does not spin.
 std::string runs_csv(const std::vector<ConvergenceResult>& results);
 
 /// The results of one scheme, case and particle number.
@@ -25,10 +25,10 @@ struct ConvergenceCell {
   std::int64_t particles_per_target = 0;
   statistics::Ensemble b_over_a, c_over_a, m_1, period_h, core_seconds;
   double unsettled = 0,
-         p_top3_eer = 0;  ///< parts of the runs; EER: one of the three largest remnants
+         p_top3_eer = 0;  ///< fractions of the runs; the EER is among the three largest remnants
   std::string classes;    ///< "hit-and-run 1; perfect-merging 5"
-  /// The same when what is published was measured, of the runs of which that is known; without a
-  /// ConvergenceStudy::published_at_s of none.
+  /// The statistics at ConvergenceStudy::published_at_s, over the runs for which they are known.
+  /// There are none without such a time.
   struct AtPublished {
     statistics::Ensemble b_over_a, m_1, period_h;
     double p_top3_eer = 0;
@@ -36,19 +36,20 @@ struct ConvergenceCell {
 };
 
 /// Looks up the remnants at ConvergenceStudy::published_at_s, where there is such a time and a
-/// result does not say them of that time yet: of runs that ended before, those of the end; of
-/// others, those in the last look before, in `jobs`. A body that flies between two looks is rigid.
+/// result lacks them. For a run that ended before, they are those at the end. For others they are
+/// those of the last look before that time, in `jobs`; a body that flies between two looks is
+/// rigid.
 void look_up_published_time(const ConvergenceStudy& study, std::vector<ConvergenceResult>& results,
                             const std::optional<job_folder::JobFolder>& jobs);
 
-/// In the order of the study.
+/// The ensembles, in the order of the study.
 std::vector<ConvergenceCell> cells_of(const ConvergenceStudy& study,
                                       const std::vector<ConvergenceResult>& results);
 std::string cells_csv(const std::vector<ConvergenceCell>& cells);
 
-/// b/a, mass and period of the largest remnant against the particle number, and as open marks
-/// where they were others at ConvergenceStudy::published_at_s; nothing where the case has no
-/// results.
+/// A figure of b/a, mass and period of the largest remnant against the particle number. Open marks
+/// show the values at ConvergenceStudy::published_at_s where they differ. Nothing where the case
+/// has no results.
 std::optional<figures::ConvergenceFigure> figure_of(const ConvergenceStudy& study,
                                                     const ConvergenceStudy::Case& one,
                                                     const std::vector<ConvergenceCell>& cells);
