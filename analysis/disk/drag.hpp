@@ -50,7 +50,7 @@ DragLaw drag_law(const std::string& name);
 /// own.
 Drag drag_of(DragLaw law, const Nebula& nebula, const Body& body);
 
-/// Whether the published law knows this body. It knows one body alone.
+/// The one body that the published law knows.
 inline constexpr Body published_body;
 bool has_published_drag(const Body& body);
 

@@ -11,6 +11,9 @@ namespace eerie::drawing {
 /// as printed. Throws InputError for any other extension.
 Script gnuplot_terminal(const std::filesystem::path& path, double width_pt, double height_pt);
 
+/// Throws that InputError before any work is done.
+void require_figure_file(const std::filesystem::path& path);
+
 /// Runs gnuplot on a script, without a shell, and installs the figure atomically at `path`. Throws
 /// EnvironmentError where gnuplot is missing (with the package to install), refuses the script
 /// (with its words) or draws nothing.

@@ -18,6 +18,11 @@ struct LightCurveFigure {
 /// Throws InputError (another extension) and EnvironmentError (gnuplot or the disk fails).
 void draw_light_curve(const std::filesystem::path& path, const LightCurveFigure& figure);
 
+/// Draws the figure at `picture` and writes both tables beside it, STEM.csv and STEM-aspect.csv.
+/// Returns the files. Throws as draw_light_curve() does.
+std::vector<std::filesystem::path> write_light_curve(const std::filesystem::path& picture,
+                                                     const LightCurveFigure& figure);
+
 /// The gnuplot commands for the figure, without the terminal line.
 drawing::Script light_curve_script(const LightCurveFigure& figure);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,6 +20,7 @@ enum class ParticleColour {
   depth,  ///< depth below the surface of its own body at the start, m
   speed   ///< speed relative to the centre of mass of its clump, m/s
 };
+inline constexpr std::array<std::string_view, 3> particle_colour_names = {"body", "depth", "speed"};
 
 /// The particles of a snapshot, seen against the orbital angular momentum: x to the right, y up, z
 /// towards the eye. Orbits lie in the x-y plane (solver/initial/orbit.hpp).

@@ -1,9 +1,6 @@
 #include "campaign/cli/options/scheduler_options.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/sinks/rotating_file_sink.h>
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
 
 #include "campaign/cli/output/files.hpp"
 #include "campaign/job_folder/log.hpp"
@@ -11,7 +8,6 @@
 #include "campaign/process/signals.hpp"
 #include "campaign/slurm/profile.hpp"
 #include "campaign/slurm/slurm_scheduler.hpp"
-#include "db/store/place.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::cli {
@@ -63,27 +59,10 @@ manager::ManagerOptions manager_options(const SchedulerArguments& a) {
 
 manager::Workplace workplace(const SchedulerArguments& a, const manager::Share& share) {
   return {[a](const db::Connection& connection, const manager::Split& split) {
-            open_manager_log(connection.path(), false);
+            job_folder::open_campaign_log(connection.path(), false);
             return make_scheduler(a, connection, split.jobs, split.threads);
           },
           a.is_local(), share, manager_options(a)};
-}
-
-void open_manager_log(const std::filesystem::path& database, bool to_stderr) {
-  constexpr std::size_t bytes = 10'000'000, files = 3;
-  try {
-    std::vector<spdlog::sink_ptr> sinks = {std::make_shared<spdlog::sinks::rotating_file_sink_mt>(
-        db::resolved(database).string() + ".log", bytes, files)};
-    if (to_stderr) sinks.push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
-    auto log = std::make_shared<spdlog::logger>("manager", sinks.begin(), sinks.end());
-    log->set_formatter(job_folder::log_formatter());
-    log->flush_on(spdlog::level::info);
-    // A full disk must not fill standard error as well.
-    log->set_error_handler([](const std::string&) {});
-    spdlog::set_default_logger(std::move(log));
-  } catch (const spdlog::spdlog_ex& error) {
-    throw EnvironmentError(error.what());
-  }
 }
 
 }  // namespace eerie::cli

@@ -35,7 +35,7 @@ Answer answer_of(const std::vector<figures::SizeDistribution>& all) {
 
 Answer sizes(const SizesArguments& a) {
   for (const fs::path& file : a.files)
-    if (file.extension() != ".csv") drawing::gnuplot_terminal(file, 1, 1);  // throws for no format
+    if (file.extension() != ".csv") drawing::require_figure_file(file);
   const db::Connection connection(a.database, db::Access::read);
   const std::vector<figures::SizeDistribution> all = results::size_distributions(
       connection, queries::filtered(connection, db::View::results, a.filter));

@@ -1,4 +1,3 @@
-#include "campaign/auto_fidelity/auto_fidelity.hpp"
 #include "campaign/cli/output/campaign_watch.hpp"
 #include "campaign/cli/running/run_arguments.hpp"
 
@@ -9,13 +8,6 @@ namespace {
 
 sweeps::Sweep sweep_with(const RunArguments& a, const char* fidelity) {
   return sweeps::load_sweep(a.sweep, SceneChanges{a.changes.overrides, fidelity}.all());
-}
-
-auto_fidelity::AutoOptions options_of(const RunArguments& a) {
-  auto_fidelity::AutoOptions options;
-  if (a.confidence > 0) options.confidence = a.confidence;
-  if (a.most_seeds > 0) options.most_seeds = a.most_seeds;
-  return options;
 }
 
 Answer answer_of(const AutoFidelity& campaign, const std::string& sweep, const manager::Tally& last,
@@ -48,7 +40,7 @@ Answer run_auto(const RunArguments& a, Output& out) {
   if (!a.maps.empty())
     throw InputError("--map: --fidelity auto draws its own maps beside the database; leave it out");
   const sweeps::Sweep sweep = sweep_with(a, "survey");
-  AutoFidelity campaign(sweep_with(a, "sketch"), sweep, options_of(a));
+  AutoFidelity campaign(sweep_with(a, "sketch"), sweep, a.automatic);
   require_consistent(a.scheduler);
   HeldDatabase held(a.database, a.scheduler);
   const auto_fidelity::AutoPlan plan{sweep.name + "-auto", sweeps::document(sweep), a.core_hours,

@@ -4,6 +4,7 @@
 #include "campaign/cli/options/scheduler_options.hpp"
 #include "campaign/cli/output/files.hpp"
 #include "campaign/cli/running/serve_options.hpp"
+#include "campaign/job_folder/log.hpp"
 #include "campaign/job_folder/provenance.hpp"
 #include "campaign/manager/local_processes.hpp"
 #include "campaign/manager/status_file.hpp"
@@ -30,7 +31,7 @@ Answer daemon(const DaemonArguments& a, Output& out) {
   if (!manager::wait_for_room(std::filesystem::absolute(a.database).parent_path(), least, complain))
     return {};
   HeldDatabase held(a.database, a.scheduler);
-  open_manager_log(a.database, true);
+  job_folder::open_campaign_log(a.database, true);
 
   const auto threads = static_cast<std::size_t>(a.threads_per_job);
   const std::size_t workers = a.workers > 0
@@ -46,7 +47,7 @@ Answer daemon(const DaemonArguments& a, Output& out) {
     serve::DashboardOptions shown = a.dashboard;
     shown.database = a.database;
     dashboard = std::make_unique<serve::Dashboard>(shown);
-    print_address(*dashboard, shown);
+    print_address(*dashboard, shown, out);
   }
 
   const job_folder::Provenance source = job_folder::provenance();

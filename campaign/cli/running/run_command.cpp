@@ -70,14 +70,11 @@ Answer report(const db::Connection& connection, const RunArguments& a, std::int6
   return answer;
 }
 
-/// Options of --fidelity auto say nothing without it.
 void require_fixed_fidelity(const RunArguments& a) {
-  for (const auto& [given, option] :
-       {std::pair(a.confidence > 0, "--confidence"), std::pair(a.core_hours > 0, "--budget"),
-        std::pair(a.most_seeds > 0, "--most-seeds")})
-    if (given)
+  for (const CLI::Option* option : a.options_of_auto)
+    if (option->count() > 0)
       throw InputError(
-          fmt::format("{} needs --fidelity auto; add that, or leave {} out", option, option));
+          fmt::format("{0} needs --fidelity auto; add that, or leave {0} out", option->get_name()));
 }
 
 Answer run(const RunArguments& a, Output& out) {
@@ -114,15 +111,16 @@ Action add_run(CLI::App& app) {
   add_changes(app, a->changes);
   app.add_option("--map", a->maps, "draw the b/a map into this file too (.png, .svg or .pdf)");
   app.add_flag("--retry-failed", a->retry_failed, "run the sweep's failed jobs again");
-  app.add_option("--confidence", a->confidence,
-                 "with --fidelity auto: how sure class and b/a < 0.3 must be (default: 0.9)")
-      ->check(CLI::Range(0.5, 0.999));
-  app.add_option("--budget", a->core_hours,
-                 "with --fidelity auto: core-hours that it may cost (default: no limit)")
-      ->check(CLI::Range(0.001, 1e7));
-  app.add_option("--most-seeds", a->most_seeds,
-                 "with --fidelity auto: surveys of one impact at most (default: 8)")
-      ->check(CLI::Range(1, 1000));
+  a->options_of_auto = {
+      app.add_option("--confidence", a->automatic.confidence,
+                     "with --fidelity auto: how sure class and b/a < 0.3 must be (default: 0.9)")
+          ->check(CLI::Range(0.5, 0.999)),
+      app.add_option("--budget", a->core_hours,
+                     "with --fidelity auto: core-hours that it may cost (default: no limit)")
+          ->check(CLI::Range(0.001, 1e7)),
+      app.add_option("--most-seeds", a->automatic.most_seeds,
+                     "with --fidelity auto: surveys of one impact at most (default: 8)")
+          ->check(CLI::Range(1, 1000))};
   add_scheduler(app, a->scheduler);
   add_formats(app);
   return [a](Output& out) { return run(*a, out); };
