@@ -22,15 +22,15 @@ class Gravity {
   };
   explicit Gravity(const Parameters& p) : p_(p) {}
 
-  /// The accelerations (m/s^2) at `x`, in memory order. `tree` must be fitted to `x`.
+  /// Computes the accelerations (m/s^2) at `x`, in memory order. `tree` must be fitted to `x`.
   void accelerations(const KdTree& tree, const std::vector<Vec3>& x, std::vector<Vec3>& g);
   /// Computes the same accelerations and hands each to store(i, g_i). Several threads call it, once
   /// per particle.
   void accelerations(const KdTree& tree, const std::vector<Vec3>& x,
                      const std::function<void(std::size_t, const Vec3&)>& store);
 
-  /// The accelerations (m/s^2) at `targets` by the particles at `sources`, to which `tree` is
-  /// fitted. Both arrays are in a kd order of their own.
+  /// Computes the accelerations (m/s^2) at `targets` by the particles at `sources`, to which `tree`
+  /// is fitted. Both arrays are in a kd order of their own.
   void accelerations(const KdTree& tree, const std::vector<Vec3>& sources,
                      const std::vector<Vec3>& targets,
                      const std::function<void(std::size_t, const Vec3&)>& store);
