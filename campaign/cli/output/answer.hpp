@@ -89,6 +89,9 @@ class Answer {
   std::vector<std::string> warnings_, complaints_;
 };
 
+/// The end of a complaint about a database: "`eerie status --db FILE` shows what it holds".
+std::string see_status(const std::filesystem::path& database);
+
 /// Paths as a list of texts.
 nlohmann::json names_of(const std::vector<std::filesystem::path>& files);
 

@@ -41,8 +41,7 @@ Answer sizes(const SizesArguments& a) {
       connection, queries::filtered(connection, db::View::results, a.filter));
   if (all.empty())
     throw InputError(
-        fmt::format("{}: no result matches; `eerie status --db {}` shows what it holds",
-                    a.database.string(), a.database.string()));
+        fmt::format("{}: no result matches; {}", a.database.string(), see_status(a.database)));
   for (const fs::path& file : a.files) {
     make_folder_of(file);
     if (file.extension() == ".csv")

@@ -22,10 +22,9 @@ Answer threshold(const ThresholdArguments& a) {
   const std::vector<RidgeFit> fits = maps::fit_ridges(runs, a.filter.particles_per_target);
   const std::string aside = maps::remark(runs);
   if (fits.empty())
-    throw InputError(fmt::format(
-        "{}: holds no result with these parameters{}; `eerie status --db {}` shows what it "
-        "holds",
-        a.database.string(), aside.empty() ? "" : " (" + aside + ")", a.database.string()));
+    throw InputError(fmt::format("{}: holds no result with these parameters{}; {}",
+                                 a.database.string(), aside.empty() ? "" : " (" + aside + ")",
+                                 see_status(a.database)));
   if (a.file.extension() == ".csv") {
     install(a.file, maps::ridges_csv(fits));
   } else if (!a.file.empty()) {
