@@ -3,7 +3,7 @@
 BUILD ?= build
 JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
-.PHONY: help run build test validate bench scale settled results test-faults sanitize fuzz format tidy clean packages-run packages-test packages-fuzz
+.PHONY: help run build test validate bench scale settled results test-faults sanitize odr fuzz format tidy clean packages-run packages-test packages-fuzz
 FUZZ_SECONDS ?= 60
 
 help:   ## this list
@@ -73,6 +73,11 @@ sanitize: packages-test  ## unit and fault tests under ASan and UBSan, those of 
 	@# TSan does not see how libgomp's threads wait for each other: one each.
 	@OMP_THREAD_LIMIT=1 OMP_NUM_THREADS=1 $(BUILD)-tsan/tests/eerie_threaded --gtest_brief=1
 
+odr: packages-test  ## build the program as a whole (-flto -Wodr); two definitions of one type stop it (one more build)
+	@cmake -S . -B $(BUILD)-odr -G Ninja -DEERIE_TESTS=OFF -DCMAKE_BUILD_TYPE=None \
+	  -DCMAKE_CXX_FLAGS="-flto -Wodr -Werror=odr -Werror=lto-type-mismatch" > /dev/null
+	@cmake --build $(BUILD)-odr -j $(JOBS) --target eerie -- --quiet
+
 fuzz: packages-fuzz  ## throw mutated files at every reader, FUZZ_SECONDS (60) each; needs clang
 	@cmake -S . -B $(BUILD)-fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DEERIE_FUZZERS=ON > /dev/null
 	@cmake --build $(BUILD)-fuzz -j $(JOBS)
@@ -96,7 +101,7 @@ tidy:  ## check the sources with clang-tidy (slow; needs clang-tidy)
 	@git ls-files '*.cpp' | grep -v ^tests/ | xargs -n 1 -P $(JOBS) clang-tidy -p $(BUILD)-tidy --quiet
 
 clean:  ## remove what was built; results stay
-	@rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-tsan $(BUILD)-fuzz
+	@rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-tsan $(BUILD)-odr $(BUILD)-fuzz
 
 $(BUILD)/build.ninja:
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=OFF > /dev/null

@@ -15,8 +15,8 @@ namespace eerie::diagrams {
 
 struct QuantityName {
   MapQuantity quantity;
-  std::string_view token;  ///< on the command line and in names of files
-  drawing::Literal title;  ///< with its unit and gnuplot's markup
+  std::string_view token;  ///< its word on the command line and in names of files
+  drawing::Literal title;  ///< with unit, in gnuplot's markup
 };
 inline constexpr std::array<QuantityName, 7> quantity_names = {{
     {MapQuantity::b_over_a, "b/a", "b/a of the largest remnant"},
@@ -28,33 +28,34 @@ inline constexpr std::array<QuantityName, 7> quantity_names = {{
     {MapQuantity::p_largest_eer, "p-eer", "P(largest remnant is an EER)"},
 }};
 const QuantityName& name_of(MapQuantity quantity);
-/// Throws InputError that lists the tokens.
+/// The quantity with this token. Throws InputError, which lists the tokens, where there is none.
 MapQuantity quantity_named(std::string_view token);
 
-/// Of a cell with a result; nothing where that has no such number, and for the class.
+/// The value of a cell with a result. Nothing where the result has no such number, and for the
+/// class.
 std::optional<double> value_of(MapQuantity quantity, const PhaseCell& cell);
-/// "0.24", "9.4", "120".
+/// The value in words: "0.24", "9.4", "120".
 std::string value_words(MapQuantity quantity, double value);
 
-/// Fill of a class, of colours that are told apart in every common form of colour blindness
-/// (Okabe & Ito 2008).
+/// The fill of a class. The colours differ in every common form of colour blindness (Okabe & Ito
+/// 2008).
 drawing::Colour outcome_colour(std::string_view outcome);
 
-/// From values to colours. b/a has its own colours, blue where remnants are extremely elongated;
-/// quantities that count EERs grow from cream to blue, others from violet to yellow.
+/// Maps values to colours. b/a has its own colours, blue where remnants are extremely elongated.
+/// Quantities that count EERs go from cream to blue, others from violet to yellow.
 struct MapScale {
   MapQuantity quantity = MapQuantity::b_over_a;
   double low = 0, high = 1;
   bool logarithmic = false;
   std::vector<double> ticks = {0, 1};
 
-  double part(double value) const;  ///< of the way from low to high
+  double part(double value) const;  ///< position between low and high, as a fraction
   drawing::Colour at_part(double part) const;
   drawing::Colour colour(double value) const { return at_part(part(value)); }
 };
 
-/// The scale that holds all these cells: fractions from 0 to 1, the period from round number to
-/// round number, logarithmic where the longest is more than four times the shortest.
+/// The scale for all these cells. Fractions go from 0 to 1. The period goes from one round number
+/// to another, logarithmically where the longest is more than four times the shortest.
 MapScale map_scale(MapQuantity quantity, const std::vector<PhaseCell>& cells);
 
 }  // namespace eerie::diagrams

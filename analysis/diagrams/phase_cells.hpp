@@ -7,7 +7,7 @@
 
 namespace eerie::diagrams {
 
-/// Marks that cells and legend share.
+/// The marks that cells and legend share.
 namespace map_mark {
 inline constexpr drawing::Colour ink{0x1a, 0x1a, 0x1a};
 inline constexpr drawing::Colour grey{0x9a, 0x9a, 0x9a};
@@ -19,21 +19,22 @@ inline constexpr double letter_size = 5.5;
 void missing(drawing::Canvas& canvas, const drawing::Area& area);
 void pending(drawing::Canvas& canvas, const drawing::Area& area);
 void failed(drawing::Canvas& canvas, const drawing::Area& area);
-/// Hatched over the colour of its value.
+/// Draws hatches over the colour of the value.
 void unsettled(drawing::Canvas& canvas, const drawing::Area& area, drawing::Colour fill,
                double distance = 4);
-/// Ruled over the colour of its value.
+/// Draws rules over the colour of the value.
 void stale(drawing::Canvas& canvas, const drawing::Area& area, drawing::Colour fill,
            double distance = 4);
-/// A blue corner: some remnant but the largest is an EER.
+/// Draws a blue corner: some remnant other than the largest is an EER.
 void smaller_eer(drawing::Canvas& canvas, const drawing::Area& area);
-/// A heavy frame.
+/// Draws a heavy frame.
 void in_doubt(drawing::Canvas& canvas, const drawing::Area& area);
-/// "v4": four runs; k: sketch, v: survey, p: paper.
+/// The word for fidelity and number of runs: "v4" means four surveys; k is sketch, v survey, p
+/// paper.
 std::string basis(const PhaseCell& cell);
 }  // namespace map_mark
 
-/// A panel's frame on the page and the way from data to page.
+/// The frame of a panel on the page, and the map from data to page.
 struct PanelFrame {
   double v_low = 0, v_high = 1, theta_low = 0, theta_high = 1;  ///< cm/s and deg at its borders
   drawing::Area area;
@@ -44,17 +45,17 @@ struct PanelFrame {
   }
 };
 
-/// The places of a diagram's cells: its own speeds by its own angles.
+/// The cells of a diagram by its speeds and angles.
 struct CellGrid {
   statistics::MapAxis v, theta;
 
   explicit CellGrid(const PhaseDiagram& diagram);
   drawing::Area area(const PanelFrame& frame, std::size_t i, std::size_t j) const;
-  /// By i + j * v.at.size(); nullptr: no impact there.
+  /// Indexed by i + j * v.at.size(); nullptr where there is no impact.
   std::vector<const PhaseCell*> cells;
 };
 
-/// Fills, marks and words of all places. Words that a place has no room for are left out.
+/// Draws fills, marks and words of all cells. It leaves out words that do not fit into their cell.
 void draw_cells(drawing::Canvas& canvas, const CellGrid& grid, const PanelFrame& frame,
                 const MapScale& scale);
 

@@ -11,28 +11,28 @@ struct PhasePanel {
   const PhaseDiagram* diagram = nullptr;
   MapScale scale;
   PanelFrame frame;
-  drawing::Quoted title = {};  ///< empty: the figure's says it
+  drawing::Quoted title = {};  ///< empty where the title of the figure suffices
   bool labels_left = true, labels_below = true, labels_above = true;
-  bool bar = true;  ///< a colour bar of its own on its right
+  bool bar = true;  ///< whether it has its own colour bar on the right
 };
 
-/// Where everything stands. One map, or up to three below one another, are as wide as a column of a
-/// journal; more panels as wide as its page.
+/// The positions of everything in a figure. Up to three panels stand below one another and are as
+/// wide as a column of a journal. More panels are as wide as its page.
 struct PhaseLayout {
   double width = 0, height = 0;
   drawing::Quoted title;
   std::vector<PhasePanel> panels;
   bool shared_bar = false;
-  drawing::Area bar = {};      ///< of the shared colour bar
+  drawing::Area bar = {};      ///< area of the shared colour bar
   drawing::Point legend = {};  ///< its upper left corner
 };
 
 inline constexpr double tick_size = 6.5, bar_gap = 8, bar_width = 7, legend_margin = 8;
-/// From a colour bar to the middle of its title, beyond its ticks.
+/// The distance from a colour bar to the middle of its title, beyond its ticks.
 double bar_title_distance(const MapScale& scale);
 
 double phase_page_width(const PhaseFigure& figure);
-/// `legend_height`: of a legend as wide as the page but for its margins.
+/// `legend_height` is that of a legend as wide as the page without its margins.
 PhaseLayout phase_layout(const PhaseFigure& figure, double legend_height);
 
 }  // namespace eerie::diagrams

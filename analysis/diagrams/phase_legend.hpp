@@ -9,7 +9,7 @@
 
 namespace eerie::diagrams {
 
-/// Explains the marks that occur in a figure, in rows under it.
+/// Explains the marks of a figure, in rows below it.
 class PhaseLegend {
  public:
   PhaseLegend(const PhaseFigure& figure, double width_pt);
@@ -32,7 +32,7 @@ class PhaseLegend {
   struct Entry {
     Mark mark;
     drawing::Quoted letter, words;
-    std::optional<drawing::Colour> fill = {};  ///< behind a letter
+    std::optional<drawing::Colour> fill = {};  ///< the fill behind a letter
     double x = 0;
     int row = 0;
   };

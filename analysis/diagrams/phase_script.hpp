@@ -5,13 +5,13 @@
 
 namespace eerie::diagrams {
 
-/// A figure as gnuplot commands without the terminal line, and its size in points.
+/// The gnuplot commands of a figure, without the terminal line, and its size in points.
 struct FigureScript {
   double width_pt = 0, height_pt = 0;
   drawing::Script commands;
 };
 
-/// Lays a figure out for print (phase_layout.hpp). It was checked by the caller.
+/// Lays out a figure for print (phase_layout.hpp). The caller has checked it.
 FigureScript phase_script(const PhaseFigure& figure);
 
 }  // namespace eerie::diagrams

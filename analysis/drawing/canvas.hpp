@@ -7,7 +7,7 @@
 
 namespace eerie::drawing {
 
-/// A place on the page, PostScript points from the lower left corner.
+/// A position on the page, in PostScript points from the lower left corner.
 struct Point {
   double x = 0, y = 0;
 };
@@ -22,7 +22,7 @@ struct Area {
 
 enum class Align { left, centre };
 
-/// How words are set.
+/// The typography of words.
 struct Style {
   double size = 6;  ///< points
   Colour colour;
@@ -31,24 +31,24 @@ struct Style {
   bool upwards = false;  ///< turned by 90 degrees
 };
 
-/// Collects the gnuplot commands for shapes and words at fixed places on the page. Shapes lie
-/// behind axes and curves, words before them.
+/// Collects the gnuplot commands for shapes and words at fixed positions on the page. Shapes lie
+/// behind axes and curves; words lie in front of them.
 class Canvas {
  public:
   Canvas(double width_pt, double height_pt) : width_(width_pt), height_(height_pt) {}
 
   void fill(const Area& area, Colour colour);
-  /// A fill before the curves, behind the words.
+  /// Fills an area in front of the curves and behind the words.
   void patch(const Area& area, Colour colour);
   void outline(const Area& area, Colour colour, double line_width);
   void line(Point from, Point to, Colour colour, double line_width);
   void polygon(const std::vector<Point>& corners, Colour colour);
-  /// Lines rising to the right, `distance` points apart, cut at the borders of the area.
+  /// Draws lines that rise to the right, `distance` points apart, cut at the borders of the area.
   void hatch(const Area& area, Colour colour, double distance);
-  /// Horizontal lines, `distance` points apart.
+  /// Draws horizontal lines, `distance` points apart.
   void rule(const Area& area, Colour colour, double distance);
   void cross(const Area& area, Colour colour);
-  /// Words centred on `at` across their direction.
+  /// Writes words, centred on `at` across their direction.
   void text(Point at, const Quoted& words, const Style& style);
 
   const Script& commands() const { return commands_; }
@@ -61,7 +61,7 @@ class Canvas {
   Script commands_;
 };
 
-/// Approximate width of words in DejaVu Sans, points.
+/// The approximate width of words in DejaVu Sans, points.
 double text_width(const Quoted& words, double size);
 
 }  // namespace eerie::drawing

@@ -29,6 +29,8 @@ Script gnuplot_terminal(const std::filesystem::path& path, double width_pt, doub
   throw InputError(fmt::format("{}: a figure can be .png, .svg or .pdf", path.string()));
 }
 
+void require_figure_file(const std::filesystem::path& path) { gnuplot_terminal(path, 1, 1); }
+
 void run_gnuplot(const Script& script, const std::filesystem::path& path) {
   install_file(path, [&](const std::filesystem::path& temporary) {
     // -d: the user's own ~/.gnuplot must not change our figures.

@@ -5,7 +5,7 @@
 
 namespace eerie::drawing {
 
-/// sRGB.
+/// A colour in sRGB.
 struct Colour {
   std::uint8_t r = 0, g = 0, b = 0;
   bool operator==(const Colour&) const = default;
@@ -13,25 +13,25 @@ struct Colour {
 
 std::string hex(Colour colour);  ///< "#rrggbb"
 
-/// CIE L*, 0 (black) to 100 (white).
+/// The lightness CIE L*, from 0 (black) to 100 (white).
 double lightness(Colour colour);
 
-/// Fill of a map's cell for b/a in [0, 1] (clamped): blue below 0.3, where remnants are extremely
-/// elongated, sand and cream above. Lightness rises all the way, so it reads in grey as well, and
-/// blue against orange is told apart in every common form of colour blindness. Interpolated in
-/// OKLab (Ottosson 2020).
+/// The fill of a map's cell for b/a, limited to [0, 1]: blue below 0.3, where remnants are
+/// extremely elongated, and sand and cream above. Lightness rises with b/a, so the scale works in
+/// grey, and blue and orange differ in every common form of colour blindness. Colours are
+/// interpolated in OKLab (Ottosson 2020).
 Colour b_over_a_colour(double b_over_a);
 
-/// Colour of a quantity at `part` of its scale, in [0, 1] (clamped): violet, blue, green, yellow.
-/// Lightness rises evenly, so it reads in grey and with every common form of colour blindness;
-/// its light end still stands out on white. Interpolated in OKLab.
+/// The colour of a quantity at `part` of its scale, limited to [0, 1]: violet, blue, green, yellow.
+/// Lightness rises evenly, so the scale works in grey and with every common form of colour
+/// blindness. Its light end still stands out on white. Colours are interpolated in OKLab.
 Colour quantity_colour(double part);
 
-/// Colour of how many remnants are extremely elongated, at `part` of its scale, in [0, 1]
-/// (clamped): from cream to the blue that they have in maps of b/a. Lightness falls all the way.
+/// The colour for a number of extremely elongated remnants, at `part` of its scale, limited to [0,
+/// 1]. It goes from cream to the blue of such remnants in maps of b/a, and its lightness falls.
 Colour eer_count_colour(double part);
 
-/// Black or white, whichever stands out better on `background`.
+/// Black or white, whichever has more contrast on `background`.
 Colour text_colour(Colour background);
 
 }  // namespace eerie::drawing

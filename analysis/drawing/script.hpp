@@ -13,7 +13,7 @@
 
 namespace eerie::drawing {
 
-/// Words that stand in this program's source: no text of a user can be one.
+/// Words from the source of this program. No text of a user can become one.
 struct Literal {
   std::string_view text;
   consteval Literal(const char* words) : text(words) {}
@@ -22,8 +22,8 @@ struct Literal {
 class Script;
 class Quoted;
 
-/// What may stand in a script or in a marked up text: numbers, and types that no raw text converts
-/// to. Others are no ScriptArgument, and do not compile.
+/// The types that may enter a script or a marked up text: numbers, and types to which no raw text
+/// converts. All other types do not compile.
 template <class T>
 struct ScriptWord {};
 template <class T>
@@ -44,7 +44,7 @@ struct ScriptWord<Literal> {
 template <>
 struct ScriptWord<Quoted> {
   using type = std::string;
-  static std::string of(const Quoted& text);  ///< with its quotation marks
+  static std::string of(const Quoted& text);  ///< with quotation marks
 };
 template <>
 struct ScriptWord<Script> {
@@ -56,7 +56,7 @@ concept ScriptArgument = requires {
   typename ScriptWord<T>::type;
 };
 
-/// A format of fmt's that is a literal and fits its arguments, which the compiler sees to.
+/// A format string of fmt that is a literal. The compiler checks that it fits its arguments.
 template <class... Words>
 struct LiteralFormat {
   fmt::string_view text;
@@ -65,18 +65,18 @@ struct LiteralFormat {
   }
 };
 
-/// Text of a figure. It is shown letter by letter: in a script nothing in it can end its string, be
-/// a command, or be markup (_ ^ @ { } ~ &). Controls are shown as escapes ("\n"), what is no UTF-8
-/// as U+FFFD, and of more than most_letters those, and "…". in_quotes() makes it, and marked_up()
-/// where the program's own words have markup.
+/// A text in a figure, shown letter by letter. In a script nothing in it can end its string, be a
+/// command, or be markup (_ ^ @ { } ~ &). Control characters appear as escapes ("\n") and bytes
+/// that are not UTF-8 as U+FFFD. Beyond most_letters the text is cut and ends in "…". in_quotes()
+/// makes it; marked_up() makes it from the program's own words with markup.
 class Quoted {
  public:
   static constexpr std::size_t most_letters = 200;
 
   Quoted() = default;
   bool empty() const { return enhanced_.empty(); }
-  std::size_t letters() const { return letters_; }  ///< that are seen
-  /// As gnuplot reads it: with quotation marks, and with escapes for all that it might obey.
+  std::size_t letters() const { return letters_; }  ///< the number of visible letters
+  /// The text for gnuplot: in quotation marks, with escapes for everything that gnuplot might obey.
   std::string in_script() const;
 
   friend Quoted in_quotes(std::string_view text);
@@ -97,22 +97,22 @@ class Quoted {
   }
   static Quoted with_letters(std::string enhanced);
 
-  std::string enhanced_;  ///< gnuplot's enhanced text: a backslash before what would be markup
+  std::string enhanced_;  ///< gnuplot's enhanced text, with a backslash before characters of markup
   std::size_t letters_ = 0;
 };
 
 Quoted in_quotes(std::string_view text);
 Quoted operator+(const Quoted& a, const Quoted& b);
 
-/// Words of the program's own with gnuplot's markup ("v_{{imp}} = {:g}"), around numbers and texts
-/// that stay as they are.
+/// Makes a text from the program's own words with gnuplot's markup ("v_{{imp}} = {:g}"), around
+/// numbers and texts that are shown letter by letter.
 template <ScriptArgument... A>
 Quoted marked_up(LiteralFormat<typename ScriptWord<A>::type...> format, const A&... values) {
   return Quoted::of_markup(format.text, Quoted::markup_of(values)...);
 }
 
-/// Commands for gnuplot. Made of literals, numbers and quoted text alone: text of a user does not
-/// compile into one.
+/// Commands for gnuplot. They consist of literals, numbers and quoted text alone; raw text of a
+/// user does not compile into a script.
 class Script {
  public:
   Script() = default;
@@ -132,8 +132,8 @@ class Script {
   friend Script operator+(Script a, Literal b) { return a += b; }
   friend Script operator+(Literal a, const Script& b) { return Script(a) += b; }
 
-  /// The colours of `width` by `height` pixels, as a plot of '-' with a binary array of that size
-  /// reads them. Throws std::logic_error where they are more or less.
+  /// Adds the colours of `width` by `height` pixels, which a plot of '-' with a binary array of
+  /// that size reads. Throws std::logic_error where their number differs.
   static Script pixels(std::span<const std::uint8_t> rgb, int width, int height);
 
   template <ScriptArgument... A>
@@ -149,7 +149,7 @@ class Script {
   std::string text_;
 };
 
-/// script("set label {} at {},{}\n", in_quotes(title), x, y).
+/// Makes a script, for example script("set label {} at {},{}\n", in_quotes(title), x, y).
 template <ScriptArgument... A>
 Script script(LiteralFormat<typename ScriptWord<A>::type...> format, const A&... values) {
   return Script::of_words(format.text, ScriptWord<A>::of(values)...);

@@ -11,16 +11,16 @@
 
 namespace eerie::ending {
 
-/// A remnant at one moment, in what must stay as it is once an impact has settled.
+/// A remnant at one moment, by the numbers that do not change once an impact has settled.
 struct RemnantLook {
   double time_s = 0;
-  int rank = 0;  ///< 1: the most massive; 0: there was no remnant at that moment
+  int rank = 0;  ///< 1: the most massive; 0: no remnant existed at that moment
   double mass_over_total = 0, target_fraction = 0;
   double a_m = 0, b_over_a = 0, c_over_a = 0;
   double turns_per_h = 0;  ///< 0: it does not spin
 };
 
-/// Names the numbers of a row, in the order of the columns of remnants.csv.
+/// Visits the numbers of a row with their names, in the order of the columns of remnants.csv.
 template <class Row, class Visit>
 requires std::same_as<std::remove_const_t<Row>, RemnantLook>
 void visit_columns(Row& row, Visit&& visit) {
@@ -34,47 +34,50 @@ void visit_columns(Row& row, Visit&& visit) {
   visit("turns_per_h", row.turns_per_h);
 }
 
-/// One look at an impact: a row for each remnant of at least settled.mass of all the mass.
+/// Looks at an impact once: makes a row for each remnant of at least settled.mass of all mass.
 std::vector<RemnantLook> look(double time_s, const remnants::Remnants& found,
                               const Scene::Settled& settled);
 
-/// What was not steady during the last window of `looks` (ascending in time); empty where shapes,
-/// spins and masses kept within the tolerances of `settled`. Remnants are followed from look to
-/// look by their mass and origin, not by their rank, which two alike may exchange.
+/// Says what was not steady during the last window of `looks`, which ascend in time. The text is
+/// empty where shapes, spins and masses stayed within the tolerances of `settled`. Remnants are
+/// followed from look to look by their mass and origin, since two similar ones may exchange their
+/// ranks.
 std::string unsteadiness(std::span<const RemnantLook> looks, const Scene::Settled& settled);
 
-/// What moves too fast for a late phase (numerics.late_sound_speed); empty where nothing does: over
-/// half a window remnants kept within three times the tolerances, and no two of them meet within
-/// `horizon` (s) at more than a tenth of `sound_speed` (m/s), the one of the late phase.
+/// Says what moves too fast for a late phase (numerics.late_sound_speed). The text is empty where
+/// remnants stayed within three times the tolerances over half a window, and where no two of them
+/// meet within `horizon` (s) at more than a tenth of `sound_speed` (m/s), which is that of the late
+/// phase.
 std::string liveliness(std::span<const RemnantLook> looks, const remnants::Remnants& found,
                        double horizon, double sound_speed, const Scene::Settled& settled);
 
-/// The greatest speed at which two remnants meet within `horizon` (s), m/s; 0 where none do. As in
-/// encounters().
+/// The greatest speed at which two remnants meet within `horizon` (s), m/s, by the orbits of
+/// encounters(); 0 where none meet.
 double meeting_speed(const remnants::Remnants& found, double horizon,
                      const Scene::Settled& settled);
 
-/// What keeps remnants from flying as rigid bodies (numerics.rigid_flight); empty where nothing
-/// does: over half a window they kept within the tolerances, three times that for mass that falls
-/// back.
+/// Says what prevents a flight of rigid remnants (numerics.rigid_flight). The text is empty where
+/// remnants stayed within the tolerances over half a window, with three times the tolerance for
+/// mass that falls back.
 std::string restlessness(std::span<const RemnantLook> looks, const Scene::Settled& settled);
 
-/// Time until the first contact of two remnants, s; infinity where none is to come. As in
-/// encounters().
+/// The time until the first contact of two remnants, s, by the orbits of encounters(); infinity
+/// where none is ahead.
 double next_meeting(const remnants::Remnants& found, const Scene::Settled& settled);
 
-/// Mass of the fragments that come into contact with a remnant within `horizon` (s), kg. As in
+/// The mass of the fragments that touch a remnant within `horizon` (s), kg, by the orbits of
 /// encounters().
 double falling_back(const remnants::Remnants& found, double horizon, const Scene::Settled& settled);
 
-/// What gravity will bring within `horizon` (s): the first contact of two remnants, more fragments
-/// falling back than settled.fall_back allows, or a remnant that gathers from fragments; empty
-/// where nothing. `total`: mass of both bodies, kg. Orbits are those of pairs; contact is at the
-/// sum of half the longest axes.
+/// Says what gravity will bring within `horizon` (s): a contact of two remnants, more fragments
+/// that fall back than settled.fall_back allows, or fragments that gather into a remnant. The text
+/// is empty where none of these is ahead. `total` is the mass of both bodies, kg. Orbits are those
+/// of pairs, and contact is at the sum of the longest semi-axes.
 std::string encounters(const remnants::Remnants& found, double total, double horizon,
                        const Scene::Settled& settled);
 
-/// How far encounters of a run matter: to its end, and no further than settled.horizon_s.
+/// The time ahead for which encounters matter, s: to the end of the run, and at most
+/// settled.horizon_s.
 double horizon(const Scene::End& end, double time_s);
 
 }  // namespace eerie::ending

@@ -9,17 +9,17 @@
 
 namespace eerie::figures {
 
-/// A row of a table that is read by its colours.
+/// A row of a table whose cells have colours.
 struct MatrixRow {
   struct Cell {
-    double b_over_a = 0;  ///< its colour, that of maps
-    std::string text;     ///< what stands in it
+    double b_over_a = 0;  ///< decides its colour, as in maps
+    std::string text;     ///< the text of the cell
   };
   std::string label;
   std::vector<std::optional<Cell>> cells;  ///< one per column
 };
 
-/// Rows under the name of what they share.
+/// Rows that share a property, under its name.
 struct MatrixGroup {
   std::string name;
   std::vector<MatrixRow> rows;
@@ -28,15 +28,15 @@ struct MatrixGroup {
 struct MatrixFigure {
   std::vector<std::string> columns;
   std::vector<MatrixGroup> groups;
-  std::string caption;  ///< says what stands in the cells
+  std::string caption;  ///< explains the text of the cells
 };
 
-/// gnuplot's commands for the figure, without its terminal. Throws InputError where there is no
-/// row or no column.
+/// The gnuplot commands for the figure, without the terminal line. Throws InputError where there is
+/// no row or no column.
 drawing::Script matrix_script(const MatrixFigure& figure);
 
-/// Draws it at `path`; the extension decides: .svg, .png, .pdf. Throws InputError and
-/// EnvironmentError as run_gnuplot() does.
+/// Draws the figure at `path`. The extension names the format: .svg, .png or .pdf. Throws
+/// InputError and EnvironmentError as run_gnuplot() does.
 void draw_matrix(const std::filesystem::path& path, const MatrixFigure& figure);
 
 }  // namespace eerie::figures

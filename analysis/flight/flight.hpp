@@ -6,32 +6,32 @@
 
 namespace eerie::flight {
 
-/// How clumps fly, and what ends a flight.
+/// The settings of a flight of rigid clumps, and what ends it.
 struct FlightPlan {
-  double until_s = 0;           ///< simulated time at which it ends at the latest
+  double until_s = 0;           ///< latest simulated time at which it ends
   double spacing = 0;           ///< (m/rho0)^(1/3), m
-  double opening_angle = 0.35;  ///< of gravity (tree/gravity.hpp)
-  double heavy = 0;             ///< kg; a flight ends before two so heavy bodies touch
-  double most_landed = 0;       ///< kg; and once so much has landed
+  double opening_angle = 0.35;  ///< opening angle of gravity (tree/gravity.hpp)
+  double heavy = 0;             ///< kg; the flight ends before two bodies of this mass touch
+  double most_landed = 0;       ///< kg; the flight ends once so much has landed
   std::function<bool(const particles::State&)>
-      waits;                   ///< asked now and then; false: nothing is left to wait for
-  std::function<bool()> stop;  ///< asked after every step
+      waits;                   ///< called now and then; where it is false the flight ends
+  std::function<bool()> stop;  ///< called after every step; where it is true the flight ends
 };
 
 enum class FlightEnd { time, encounter, landed, nothing_left, stopped };
 
 struct Flight {
-  particles::State state;  ///< as it is at the end, in the order that it had
+  particles::State state;  ///< the state at the end; particles keep their order
   FlightEnd end = FlightEnd::time;
-  double landed = 0;  ///< kg that stuck to something
+  double landed = 0;  ///< mass that has stuck to another body, kg
   long steps = 0;
 };
 
-/// Clumps (clumps.hpp) fly as rigid bodies through the gravity of all particles, instead of being
-/// computed as matter that does not change: centre of mass and rotation by kick-drift-kick, steps a
-/// small part of the orbital time of the closest pair. Whatever comes within 1.2 spacings of
-/// another body sticks to it, momentum and angular momentum kept; that ends the flight, shortly
-/// before, where both are heavy. Same bits for any number of threads.
+/// Moves clumps (clumps.hpp) as rigid bodies through the gravity of all particles; the solver need
+/// not compute matter that does not change. Kick-drift-kick advances centres of mass and rotations,
+/// in steps of a small part of the orbital time of the closest pair. A body that comes within 1.2
+/// spacings of another sticks to it and keeps momentum and angular momentum. Where both are heavy
+/// the flight ends shortly before. The result has the same bits for any number of threads.
 Flight fly(particles::State state, const FlightPlan& plan);
 
 }  // namespace eerie::flight

@@ -9,33 +9,33 @@
 
 namespace eerie::flight {
 
-/// Force on a body, N, and torque about its centre of mass, N m.
+/// The force on a body, N, and the torque about its centre of mass, N m.
 struct Pull {
   Vec3 force, torque;
 };
 
-/// Gravity of the particles of rigid bodies on those of all others. What a heavy body does to
-/// itself is left out: it should be nothing, but the tree's forces within a body do not sum to
-/// zero, and over a long flight what is left would carry it away. Light bodies pull in common.
+/// The gravity of rigid bodies on each other, by their particles. A heavy body does not act on
+/// itself: the tree's forces within a body do not sum exactly to zero, and over a long flight the
+/// remainder would move it. Light bodies act together, as one set of particles.
 class MutualGravity {
  public:
-  /// `heavy`: from this mass on a body counts as heavy, kg.
+  /// `heavy` is the least mass of a heavy body, kg.
   MutualGravity(const tree::Gravity::Parameters& parameters, double heavy)
       : parameters_(parameters), heavy_(heavy) {}
 
-  /// To be called first, and whenever bodies have changed by more than motion; puts the members of
-  /// heavy ones into kd order.
+  /// Sorts the members of heavy bodies into kd order. Call it first, and whenever bodies have
+  /// changed by more than motion.
   void take(std::vector<RigidBody>& bodies, const std::vector<std::uint32_t>& id);
 
-  /// On every body, by the places that they have now.
+  /// The pull on every body at the present positions.
   std::vector<Pull> pulls(const std::vector<RigidBody>& bodies);
 
  private:
-  /// A particle as a member of a body.
+  /// A particle, by its body and its index in it.
   struct Member {
     std::size_t body, k;
   };
-  /// Particles that pull in common, in kd order.
+  /// Particles that act together, in kd order.
   struct Crowd {
     std::vector<Member> members;
     std::vector<Vec3> x, g;
@@ -49,7 +49,7 @@ class MutualGravity {
   tree::Gravity::Parameters parameters_;
   double heavy_;
   std::vector<Crowd> crowds_;
-  std::vector<std::uint32_t> id_;  ///< of the state's particles
+  std::vector<std::uint32_t> id_;  ///< ids of the particles of the state
   long evaluations_ = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include "analysis/drawing/gnuplot.hpp"
 #include "solver/base/constants.hpp"
+#include "solver/base/file.hpp"
 
 namespace eerie::light_curve {
 
@@ -89,6 +90,16 @@ drawing::Script light_curve_script(const LightCurveFigure& figure) {
 void draw_light_curve(const std::filesystem::path& path, const LightCurveFigure& figure) {
   drawing::run_gnuplot(
       drawing::gnuplot_terminal(path, width_pt, height_pt) + light_curve_script(figure), path);
+}
+
+std::vector<std::filesystem::path> write_light_curve(const std::filesystem::path& picture,
+                                                     const LightCurveFigure& figure) {
+  const std::string stem = (picture.parent_path() / picture.stem()).string();
+  const std::vector<std::filesystem::path> files = {picture, stem + ".csv", stem + "-aspect.csv"};
+  draw_light_curve(files[0], figure);
+  install_text(files[1], light_curve_csv(figure.curve));
+  install_text(files[2], amplitudes_csv(figure.amplitudes));
+  return files;
 }
 
 }  // namespace eerie::light_curve

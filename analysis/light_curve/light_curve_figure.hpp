@@ -13,12 +13,17 @@ struct LightCurveFigure {
   std::vector<AspectAmplitude> amplitudes;
 };
 
-/// Two panels on a journal's page (18 cm): magnitudes over the rotation, and amplitude over aspect
-/// with that of 1I/'Oumuamua. The extension decides: .png, .svg, .pdf. Throws InputError (another
-/// one) and EnvironmentError (gnuplot or the disk failed).
+/// Draws two panels on the width of a page (18 cm): magnitudes over the rotation, and amplitude
+/// over aspect with that of 1I/'Oumuamua. The extension names the format: .png, .svg or .pdf.
+/// Throws InputError (another extension) and EnvironmentError (gnuplot or the disk fails).
 void draw_light_curve(const std::filesystem::path& path, const LightCurveFigure& figure);
 
-/// gnuplot's commands for it, terminal apart.
+/// Draws the figure at `picture` and writes both tables beside it, STEM.csv and STEM-aspect.csv.
+/// Returns the files. Throws as draw_light_curve() does.
+std::vector<std::filesystem::path> write_light_curve(const std::filesystem::path& picture,
+                                                     const LightCurveFigure& figure);
+
+/// The gnuplot commands for the figure, without the terminal line.
 drawing::Script light_curve_script(const LightCurveFigure& figure);
 
 }  // namespace eerie::light_curve

@@ -6,15 +6,14 @@
 
 namespace eerie::light_curve {
 
-/// How finely shadows are cut: rows of pixels in the radius of a particle. The area of one disc is
-/// then true to half a per cent, that of the shadow of a body, where only the outline counts,
-/// better.
+/// The resolution of shadows: rows of pixels per radius of a particle. The area of one disc is then
+/// correct to half a per cent. That of the shadow of a body is better, since only its outline
+/// contributes to the error.
 inline constexpr double shadow_pixels_per_radius = 12;
 
-/// Area of the shadow that equal spheres throw along a direction, m^2: that of the union of their
-/// discs. Positions and radius in m; `along` need not be a unit vector. Discs are laid over
-/// pixels four times as high as wide; a pixel counts when its centre is in a disc. O(N) for any one
-/// body.
+/// The area of the shadow of equal spheres along a direction, m^2, that is, of the union of their
+/// discs. Positions and radius are in m; `along` need not be a unit vector. Pixels are four times
+/// as high as wide, and a pixel counts where its centre is in a disc. The cost is O(N).
 double shadow_area(std::span<const Vec3> x, double radius, const Vec3& along,
                    double pixels_per_radius = shadow_pixels_per_radius);
 

@@ -16,9 +16,9 @@ struct CheckCell {
 
   using Condition = std::function<bool(const ImpactRun&)>;
   std::size_t count(const Condition& condition) const;
-  /// At least half of the runs, and one.
+  /// Whether at least half of the runs, and at least one, have a property.
   bool mostly(const Condition& condition) const;
-  /// Some runs and not all.
+  /// Whether some runs, but not all, have a property.
   bool split(const Condition& condition) const;
 };
 
@@ -27,14 +27,14 @@ std::vector<CheckCell> check_cells(const std::vector<ImpactPoint>& points, const
                                    const std::vector<ImpactRun>& runs);
 
 bool largest_is_eer(const ImpactRun& run);
-/// Some remnant other than the largest.
+/// Whether some remnant other than the largest is an EER.
 bool smaller_is_eer(const ImpactRun& run);
-/// M_lr >= 0.9 M, as for a perfect merger.
+/// Whether M_lr >= 0.9 M, as for a perfect merger.
 bool almost_merged(const ImpactRun& run);
 
-/// Shell commands that add what is missing, by the fidelity of the settings (survey where they have
-/// none): the fact's sweeps, or its point with seeds 1 to `seeds`; `changes`: "--set PATH=VALUE
-/// ...".
+/// The shell commands that add the missing runs: those of the fact's sweeps, or of its point with
+/// seeds 1 to `seeds`. They use the fidelity of the settings (survey where these have none).
+/// `changes` are further options, "--set PATH=VALUE ...".
 std::string run_sweeps(const Fact& fact, const RunSettings& settings, const std::string& database,
                        const std::string& changes = "");
 std::string run_point(const Fact& fact, const ImpactPoint& at, std::size_t seeds,

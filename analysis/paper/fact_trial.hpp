@@ -9,10 +9,10 @@
 
 namespace eerie::paper {
 
-/// First seeds to ask for where there are none.
+/// The number of seeds to ask for first.
 inline constexpr std::size_t first_seeds = 6;
 
-/// Tests one fact against runs of one kind of settings.
+/// Tests one fact against runs with the same settings.
 class Trial {
  public:
   Trial(const Fact& fact, const std::vector<ImpactRun>& runs, const RunSettings& settings,
@@ -39,13 +39,14 @@ class Trial {
   void rest_on(const std::vector<CheckCell>& cells);
   std::size_t count_cells(const CheckCell::Condition& condition) const;
   void ask_for_seeds(const CheckCell& cell);
-  /// The fact's sweeps with a seed that no run has yet.
+  /// The commands for the fact's sweeps with a seed that no run has yet.
   std::string one_seed_more() const;
-  /// A statement on one impact: what at least half of its runs are.
+  /// Tests a statement on one impact, which holds where at least half of its runs have the
+  /// property.
   void most_runs(const std::vector<const ImpactRun*>& runs, const CheckCell::Condition& condition,
                  const char* verb);
-  /// A statement on a grid: the points that contradict it, and those still to be run. `matter` is
-  /// what their seeds may disagree on.
+  /// Tests a statement on a grid by the points that contradict it and those that have no run yet.
+  /// `matter` names the property on which seeds may disagree.
   void by_contradictions(const std::function<bool(const CheckCell&)>& contradicts,
                          const CheckCell::Condition& matter);
 

@@ -20,18 +20,18 @@ struct PaperGrid {
   std::string sweep() const { return std::string("sweeps/") + name + ".json"; }
 };
 
-/// All of Table 2.
+/// All series of Table 2.
 const std::vector<PaperGrid>& paper_grids();
-/// Those of one mass ratio and friction angle.
+/// The series of one mass ratio and friction angle.
 std::vector<PaperGrid> paper_grids(double q, double phi_d_deg);
 
 struct ImpactPoint {
   double v_imp_cm_per_s = 0, theta_imp_deg = 0;
 };
-/// The different points of some grids, by angle and speed.
+/// The distinct points of some grids, sorted by angle and speed.
 std::vector<ImpactPoint> points_of(const std::vector<PaperGrid>& grids);
 
-/// Both ends in.
+/// A range of numbers, ends included.
 struct Span {
   double low = 0, high = 0;
   bool holds(double value) const { return low - 1e-9 <= value && value <= high + 1e-9; }
@@ -45,9 +45,10 @@ struct Window {
 
 enum class FactQuantity { b_over_a, period_h, mass_over_target, a_m, b_m };
 
-// What the paper says of one impact: a point.
+// These are claims about one impact.
 
-/// A number of the largest remnant or, with smaller, of the most massive EER that is not it.
+/// A number of the largest remnant or, with `smaller`, of the most massive EER among the other
+/// remnants.
 struct NumberIs {
   FactQuantity quantity;
   double value = 0;
@@ -55,24 +56,24 @@ struct NumberIs {
 };
 /// The largest remnant holds at least 90 % of both bodies.
 struct AlmostMerges {};
-/// The largest remnant is an EER still at this time.
+/// The largest remnant is still an EER at this time.
 struct ShapeLasts {
   double until_s = 0;
 };
-/// A remnant that is not the largest is an EER.
+/// A remnant other than the largest is an EER.
 struct SmallerIsEer {};
-/// With a stiffer equation of state b/a is the same.
+/// b/a does not change with a stiffer equation of state.
 struct StiffnessIsIdle {
   double stiffness = 10;
 };
 
-// What the paper says of whole grids: of their impacts.
+// These are claims about all impacts of grids.
 
-/// The EERs lie about v sin(theta) = constant.
+/// The EERs lie around v sin(theta) = constant.
 struct RidgeIsAt {
   double constant = 0;
 };
-/// There are EERs, and all are in the window.
+/// There are EERs, and all of them are in the window.
 struct EersOnlyIn {
   Window window;
 };
@@ -82,32 +83,32 @@ struct EersExactlyAt {
 };
 /// Every largest remnant that is an EER holds at least 90 % of both bodies.
 struct EersAreMerged {};
-/// Smaller remnants are EERs at so many points, all in the window.
+/// Smaller remnants are EERs at this many points, all in the window.
 struct SmallerEersOnlyIn {
   std::size_t count = 0;
   Window window;
 };
-/// Along v sin(theta) = constant and in the window, most impacts are of this class.
+/// Near v sin(theta) = constant and in the window, most impacts have this class.
 struct MostlyOfClass {
   remnants::OutcomeClass outcome;
   double constant = 0;
   Window window;
 };
-/// There is merging, hit-and-run and catastrophic disruption.
+/// Merging, hit-and-run and catastrophic disruption all occur.
 struct AllClassesOccur {};
 
 using Claim = std::variant<NumberIs, AlmostMerges, ShapeLasts, SmallerIsEer, StiffnessIsIdle,
                            RidgeIsAt, EersOnlyIn, NoEer, EersExactlyAt, EersAreMerged,
                            SmallerEersOnlyIn, MostlyOfClass, AllClassesOccur>;
 
-/// Something that Sugiura et al. (2019) say of impacts and that a database of impacts can decide.
+/// A claim of Sugiura et al. (2019) about impacts that a database of impacts can decide.
 struct Fact {
-  std::string name;       ///< short, of letters, digits and dashes
+  std::string name;       ///< short; letters, digits and dashes
   std::string statement;  ///< in our words
   std::string source;     ///< section, figure, table
   double q = 1, phi_d_deg = 40;
-  std::optional<ImpactPoint> point = {};  ///< of claims about one impact
-  std::vector<PaperGrid> grids = {};      ///< of the others
+  std::optional<ImpactPoint> point = {};  ///< for claims about one impact
+  std::vector<PaperGrid> grids = {};      ///< for claims about grids
   Claim claim;
 };
 

@@ -78,7 +78,7 @@ Moments moments(const std::vector<Weighted>& line) {
 }
 
 /// P(EER) of as many runs, drawn from those of a cell.
-double drawn_p_eer(const RidgeCell& cell, std::mt19937_64& random) {
+double drawn_p_largest_eer(const RidgeCell& cell, std::mt19937_64& random) {
   const std::size_t runs = cell.b_over_a.size();
   std::size_t eers = 0;
   for (std::size_t k = 0; k < runs; ++k) eers += is_eer(cell.b_over_a[random() % runs]) ? 1 : 0;
@@ -94,7 +94,7 @@ std::vector<double> bootstrap(const std::vector<Weighted>& line, std::size_t sam
     Moments sum;
     for (std::size_t i = 0; i < line.size(); ++i) {
       const Weighted& w = line[random() % line.size()];
-      sum.add(w.width * drawn_p_eer(*w.cell, random), w.s);
+      sum.add(w.width * drawn_p_largest_eer(*w.cell, random), w.s);
     }
     if (sum.zeroth > 0) constants.push_back(sum.mean());
   }

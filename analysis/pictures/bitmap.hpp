@@ -8,7 +8,7 @@
 
 namespace eerie::pictures {
 
-/// A picture of pixels, rows from the top down, sRGB.
+/// A picture of pixels in sRGB, with rows from the top down.
 struct Bitmap {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;  ///< 3 * width * height
@@ -20,18 +20,18 @@ struct Bitmap {
   }
 };
 
-/// A round spot, pixels from the lower left corner of the picture.
+/// A disc, in pixels from the lower left corner of the picture.
 struct Disc {
   double x = 0, y = 0, radius = 0;
   drawing::Colour colour;
 };
 
-/// Discs on white, the last ones on top, each with a darker rim where it is wide enough to be seen
-/// (three pixels and more), so that neighbours of one colour can be told apart. Edges are smooth:
-/// three by three samples per pixel.
+/// Draws discs on white, the last ones on top. Discs of three pixels and more have a darker rim, so
+/// that neighbours of one colour can be distinguished. Edges are smooth, with three by three
+/// samples per pixel.
 Bitmap painted(std::span<const Disc> discs, int width, int height);
 
-/// The colours of a scale from left (0) to right (1).
+/// Draws the colours of a scale from left (0) to right (1).
 Bitmap scale_image(int width, int height);
 
 }  // namespace eerie::pictures

@@ -8,11 +8,11 @@
 
 namespace eerie::pictures {
 
-/// One moment, drawn.
+/// The picture of one moment.
 struct Panel {
   double time = 0;          ///< s
   Bitmap image;             ///< panel_pixels() wide and high
-  std::size_t outside = 0;  ///< remnants that the frame does not show
+  std::size_t outside = 0;  ///< number of remnants outside the frame
 };
 
 /// Panels of one scale, from left to right and from the top down.
@@ -22,16 +22,17 @@ struct PanelsFigure {
   ColourScale scale;
 };
 
-/// Pixels of a panel where there are so many: 360 per inch in print.
+/// The pixels along the side of a panel in a figure of so many panels: 360 per inch in print.
 int panel_pixels(std::size_t panels);
 
-/// The figure in the format that the extension names (.png, .svg, .pdf): up to three panels as wide
-/// as a column of a journal (9 cm), more as wide as its page (18 cm), five in a row. Particles are
-/// pixels in every format, so that the file does not grow with their number; words are words.
-/// Throws InputError (no panels, another extension) and EnvironmentError (gnuplot or the disk).
+/// Draws the figure in the format that the extension names (.png, .svg or .pdf). Up to three panels
+/// are as wide as a column of a journal (9 cm), more panels as wide as its page (18 cm), five in a
+/// row. Particles are pixels in every format, so the size of the file does not depend on their
+/// number. Words stay text. Throws InputError (no panels, another extension) and EnvironmentError
+/// (gnuplot or the disk fails).
 void draw_panels(const std::filesystem::path& path, const PanelsFigure& figure);
 
-/// gnuplot's commands for it, terminal apart, with the pixels of the panels inside.
+/// The gnuplot commands for the figure with the pixels of the panels, without the terminal line.
 drawing::Script panels_script(const PanelsFigure& figure);
 
 }  // namespace eerie::pictures

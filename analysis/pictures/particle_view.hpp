@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,38 +14,39 @@
 
 namespace eerie::pictures {
 
-/// What the colour of a particle says.
+/// The meaning of a particle's colour.
 enum class ParticleColour {
   body,   ///< target or impactor
-  depth,  ///< below the surface of its own body at the start, m
-  speed   ///< relative to the centre of mass of its clump, m/s
+  depth,  ///< depth below the surface of its own body at the start, m
+  speed   ///< speed relative to the centre of mass of its clump, m/s
 };
+inline constexpr std::array<std::string_view, 3> particle_colour_names = {"body", "depth", "speed"};
 
-/// What a snapshot has to show, seen against the orbital angular momentum: x to the right, y up,
-/// z towards the eye (orbits lie in the x-y plane, solver/initial/orbit.hpp).
+/// The particles of a snapshot, seen against the orbital angular momentum: x to the right, y up, z
+/// towards the eye. Orbits lie in the x-y plane (solver/initial/orbit.hpp).
 struct ParticleView {
   double time = 0;             ///< s
   double radius = 0;           ///< of a particle, m
-  std::vector<Vec3> x;         ///< m, from the farthest particle to the nearest
+  std::vector<Vec3> x;         ///< m; the farthest particle first
   std::vector<double> colour;  ///< Body, m or m/s
 };
 
-/// `depths` by id, where colours are depths. `cut` leaves out the half before the plane of the
-/// orbit through the centre of mass, so that the inside is seen.
+/// Makes the view. `depths`, by id, are needed where colours are depths. `cut` removes the half in
+/// front of the plane of the orbit through the centre of mass, so that the inside is visible.
 ParticleView particle_view(const io::Snapshot& snapshot, ParticleColour colour,
                            std::span<const double> depths = {}, bool cut = false);
 
-/// A contiguous body as its picture needs it.
+/// A contiguous body, by the numbers that its picture needs.
 struct SeenBody {
   Vec3 centre;                          ///< of mass, m
-  double x_low, x_high, y_low, y_high;  ///< of its particles with their radius, m
+  double x_low, x_high, y_low, y_high;  ///< extent of its particles with their radius, m
 };
 
-/// Where things are in a snapshot.
+/// The positions of bodies in a snapshot.
 struct Layout {
-  Vec3 centre;  ///< of mass of everything, m
-  std::vector<SeenBody>
-      bodies;                 ///< remnants, the most massive first; without any, the largest clump
+  Vec3 centre;  ///< centre of mass of all particles, m
+  /// Remnants, the most massive first; the largest clump where there are none.
+  std::vector<SeenBody> bodies;
   double body_diameters = 0;  ///< of target and impactor together, m
 };
 Layout layout_of(const io::Snapshot& snapshot);
@@ -52,34 +54,36 @@ Layout layout_of(const io::Snapshot& snapshot);
 /// The square that every panel shows.
 struct Frame {
   double width = 0;  ///< m
-  bool on_largest =
-      false;  ///< about the largest remnant of each panel, else about the centre of mass
+  /// Whether it is centred on the largest remnant of each panel, instead of the centre of mass.
+  bool on_largest = false;
 };
 
-/// A frame is no wider than so many times both bodies' diameters unless it is asked for.
+/// Unless a width is given, a frame is at most this many times as wide as both bodies' diameters
+/// together.
 inline constexpr double widest_frame = 3;
 
-/// The frame that holds all remnants of all panels about the centre of mass; where that would be
-/// wider than widest_frame, one of that width at most: about the centre of mass if it holds the
-/// largest remnant of each panel, else about that. `width` in m overrides the width.
+/// The frame about the centre of mass that contains all remnants of all panels. Where that would be
+/// wider than widest_frame, its width is limited to that. The limited frame is about the centre of
+/// mass if it contains the largest remnant of each panel, and otherwise about that remnant.
+/// `width`, m, replaces the width.
 Frame frame_of(std::span<const Layout> panels, std::optional<double> width = std::nullopt);
 
-/// Middle of the frame in a panel, m, and how many of its remnants have their centre outside.
+/// The middle of the frame in a panel, m; the number of its remnants with their centre outside.
 Vec3 frame_centre(const Frame& frame, const Layout& layout);
 std::size_t remnants_outside(const Frame& frame, const Layout& layout);
 
-/// What colours stand for, from 0 to `top`; the same in all panels.
+/// The scale of colours from 0 to `top`, which all panels share.
 struct ColourScale {
   ParticleColour colour = ParticleColour::body;
   double top = 0;      ///< m or m/s
-  double highest = 0;  ///< of any particle; may lie above the top
+  double highest = 0;  ///< highest value of any particle; may be above `top`
 };
 
-/// The scale that a panel needs: depths up to the deepest particle, speeds up to one that one
-/// particle in a hundred exceeds, rounded up to a number with one or two digits.
+/// The scale that a panel needs, rounded up to a number with one or two digits. Depths go up to the
+/// deepest particle, speeds up to the speed that one particle in a hundred exceeds.
 ColourScale colour_scale(ParticleColour colour, const ParticleView& view);
 
-/// The panel as a square picture of so many pixels.
+/// The panel as a square picture with so many pixels along each side.
 Bitmap panel_image(const ParticleView& view, const Frame& frame, const Vec3& centre,
                    const ColourScale& scale, int pixels);
 

@@ -11,25 +11,27 @@
 
 namespace eerie::remnants {
 
-/// What one snapshot says about an impact.
+/// The analysis of one snapshot of an impact.
 struct Analysis {
   OutcomeClass outcome = OutcomeClass::erosion;
-  double m_lr_over_m_total = 0;         ///< largest bound group
-  double m_slr_over_m_total = 0;        ///< second largest bound group
-  bool settled = true;                  ///< no two remnants will meet (again)
-  std::string unsettled_reason;         ///< with the numbers; empty when settled
-  double debris_bound_over_total = 0;   ///< mass in clumps too small for a remnant, bound to one
-  std::vector<Remnant> remnants;        ///< from the most massive on
-  std::vector<RemnantDetails> details;  ///< of each remnant; empty where not asked for
+  double m_lr_over_m_total = 0;   ///< mass of the largest bound group
+  double m_slr_over_m_total = 0;  ///< mass of the second largest bound group
+  bool settled = true;            ///< no two remnants will meet (again)
+  std::string unsettled_reason;   ///< with the numbers; empty when settled
+  /// Mass of clumps that are too small for a remnant and bound to one.
+  double debris_bound_over_total = 0;
+  std::vector<Remnant> remnants;  ///< the most massive first
+  /// Of each remnant; empty where the caller does not ask for them.
+  std::vector<RemnantDetails> details;
 };
 
-/// Finds remnants, bound groups, shapes, spins and the outcome class. The result does not depend
-/// on the memory order of the particles. `separated_after_contact`: the history saw the two
-/// bodies touch and come apart again (makes a merger graze-and-merge).
+/// Finds remnants, bound groups, shapes, spins and the outcome class. The result does not depend on
+/// the memory order of the particles. `separated_after_contact` says that the two bodies touched
+/// and came apart again, which makes a merger graze-and-merge.
 Analysis analyse(const io::Snapshot& snapshot, bool separated_after_contact = false);
 
-/// The same with the details of every remnant, for the end of a run. `first`: the snapshot of the
-/// start, which tells where matter comes from; null where it is not there.
+/// Analyses the end of a run: adds the details of every remnant. `first` is the snapshot of the
+/// start, which says where matter comes from, or null.
 Analysis analyse_in_detail(const io::Snapshot& snapshot, const io::Snapshot* first,
                            bool separated_after_contact);
 

@@ -5,23 +5,23 @@
 
 namespace eerie::remnants {
 
-/// A remnant as a point.
+/// A remnant as a point mass.
 PointMass point(const Remnant& remnant);
 
-/// Two bodies by the orbit of one about the other, SI.
+/// The encounter of two bodies on the orbit of one about the other, in SI.
 struct Encounter {
   Orbit orbit;
-  double contact = 0;  ///< distance of their centres at which they touch
+  double contact = 0;  ///< the distance of the centres at contact
 
   bool comes_back() const { return orbit.bound() || orbit.approaching; }
   bool will_touch() const { return comes_back() && orbit.pericentre < contact; }
-  /// Until they touch; infinity where they will not.
+  /// The time until they touch; infinity where they will not.
   double time_s() const;
 };
 
-/// Of two remnants: contact at the sum of half their longest axes.
+/// The encounter of two remnants. They touch at the sum of their longest semi-axes.
 Encounter encounter(const Remnant& one, const Remnant& other);
-/// Of a remnant and a fragment without extent.
+/// The encounter of a remnant with a fragment without extent.
 Encounter encounter(const Remnant& one, const PointMass& fragment);
 
 }  // namespace eerie::remnants

@@ -7,15 +7,15 @@
 
 namespace eerie::remnants {
 
-/// Why the remnants will still change by meeting each other, with the numbers of the most massive
-/// such pair; empty when none will. A pair will meet when both are in one bound group, or when
-/// their orbit is bound or closing and its pericentre is below the sum of their half longest axes.
-/// Remnants of no more than `fragment` of all mass (end.settled.fall_back) do not count: what falls
-/// back changes little, and finer runs have more of them.
-/// Shapes that still change within one remnant are not seen here: that takes two snapshots.
+/// Says why remnants will still meet each other, with the numbers of the most massive such pair.
+/// The text is empty where none will. A pair will meet when both are in one bound group, or when
+/// their orbit is bound or closing and its pericentre is below the sum of their longest semi-axes.
+/// Remnants of at most `fragment` of all mass (end.settled.fall_back) do not count: they change
+/// little when they fall back, and finer runs have more of them. This function does not see changes
+/// of shape within one remnant, which takes two snapshots.
 std::string unsettled_reason(std::span<const Remnant> remnants, double fragment);
 
-/// Whether some pair of remnants, no fragments, is on its way to a contact.
+/// Whether some pair of remnants, fragments excluded, is on its way to a contact.
 bool will_meet(std::span<const Remnant> remnants, double fragment);
 
 }  // namespace eerie::remnants

@@ -7,17 +7,18 @@
 
 namespace eerie::remnants {
 
-/// How deep below the surface of its own body (target or impactor, taken as spheres) each particle
-/// of the first snapshot lies, m; by particle id. Particles of a jagged surface have depth 0.
+/// The depth of each particle of the first snapshot below the surface of its own body, m, by
+/// particle id. Target and impactor count as spheres. Particles above the surface of the sphere
+/// have depth 0.
 std::vector<double> initial_depths(const io::Snapshot& first);
 
-/// Where the matter of a remnant comes from: depths below the surface of its own body, m.
+/// The depths below the surface of its own body, m, from which the matter of a remnant comes.
 struct OriginDepth {
   double mean = 0;
-  double p10 = 0, p90 = 0;  ///< a tenth of the mass comes from above p10, a tenth from below p90
+  double p10 = 0, p90 = 0;  ///< a tenth of the mass comes from above p10 and a tenth from below p90
 };
 
-/// Of equal masses at these depths (m, any order). At least one.
+/// The statistics of equal masses at these depths (m, in any order, at least one).
 OriginDepth origin_depth(std::vector<double> depths);
 
 }  // namespace eerie::remnants

@@ -6,8 +6,8 @@
 
 namespace eerie::remnants {
 
-/// What became of the two bodies, in the vocabulary of Leinhardt & Stewart (2012, ApJ 745, 79).
-/// docs/outcomes.md gives the reasoning.
+/// The outcome of an impact, in the classes of Leinhardt & Stewart (2012, ApJ 745, 79).
+/// docs/outcomes.md gives the reasons.
 enum class OutcomeClass {
   perfect_merging,
   graze_and_merge,
@@ -19,8 +19,8 @@ enum class OutcomeClass {
 
 struct OutcomeName {
   OutcomeClass outcome;
-  std::string_view name;        ///< as in results and queries
-  std::string_view short_name;  ///< one or two letters for maps
+  std::string_view name;        ///< its name in results and queries
+  std::string_view short_name;  ///< one or two letters, for maps
 };
 inline constexpr std::array<OutcomeName, 6> outcome_names = {{
     {OutcomeClass::perfect_merging, "perfect-merging", "M"},
@@ -32,26 +32,26 @@ inline constexpr std::array<OutcomeName, 6> outcome_names = {{
 }};
 
 std::string_view name(OutcomeClass outcome);
-/// Nothing where `name` is none of outcome_names.
+/// The class of this name; nothing where `name` is none of outcome_names.
 std::optional<OutcomeClass> outcome_named(std::string_view name);
 
-/// Masses that decide the class, kg. m_lr and m_slr are those of the largest and second largest
-/// *bound group*: a remnant with all that is bound to it.
+/// The masses that decide the class, kg. m_lr and m_slr are those of the largest and second largest
+/// *bound group*, that is, a remnant with everything that is bound to it.
 struct OutcomeMasses {
   double target = 0, impactor = 0;
   double m_lr = 0, m_slr = 0;
 };
 
-/// Thresholds of the classes, as fractions.
+/// The thresholds of the classes, as fractions.
 inline constexpr double perfect_merging_m_lr_over_m_total = 0.9;
 inline constexpr double hit_and_run_m_slr_over_m_impactor = 0.5;
 inline constexpr double hit_and_run_both_over_m_total = 0.8;
 inline constexpr double catastrophic_m_lr_over_m_total = 0.5;
 
-/// The first that holds: perfect merging (m_lr >= 0.9 M), hit-and-run (m_slr >= 0.5 M_i and
-/// m_lr + m_slr >= 0.8 M), catastrophic disruption (m_lr < 0.5 M), partial accretion
-/// (m_lr > M_t), erosion. A merger or accretion whose two bodies had come apart between first
-/// contact and the end is graze-and-merge: only a history can tell.
+/// Returns the first class that applies: perfect merging (m_lr >= 0.9 M), hit-and-run (m_slr >= 0.5
+/// M_i and m_lr + m_slr >= 0.8 M), catastrophic disruption (m_lr < 0.5 M), partial accretion (m_lr
+/// > M_t), erosion. A merger or accretion is graze-and-merge where the two bodies came apart
+/// between first contact and the end; only a history shows this.
 OutcomeClass classify(const OutcomeMasses& masses, bool separated_after_contact = false);
 
 }  // namespace eerie::remnants

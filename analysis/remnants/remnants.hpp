@@ -11,7 +11,7 @@
 
 namespace eerie::remnants {
 
-/// A clump of fewer particles is debris: too coarse for a shape.
+/// A clump of fewer particles is debris, since it is too coarse for a shape.
 inline constexpr std::size_t remnant_min_particles = 100;
 /// An extremely elongated remnant has b/a below this.
 inline constexpr double eer_max_b_over_a = 0.3;
@@ -26,23 +26,24 @@ struct Remnant {
   shapes::Shape shape;
   std::optional<double> spin_period;  ///< s; nothing when it does not spin
   bool eer = false;                   ///< b/a < eer_max_b_over_a
-  double target_fraction = 0;         ///< of its particles, those that came from the target
+  double target_fraction = 0;         ///< fraction of its particles that come from the target
   int bound_group = 0;                ///< 1: the most massive group of mutually bound clumps
-  double bound_mass_over_total = 0;   ///< of that group, debris included
+  double bound_mass_over_total = 0;   ///< mass of that group, debris included
   Vec3 x, v;                          ///< centre of mass, m and m/s
 };
 
-/// All clumps of a state and what gravity makes of them.
+/// The remnants, bound groups and debris of a state.
 struct Remnants {
   std::vector<Remnant> remnants;     ///< from the most massive on
   std::vector<double> group_masses;  ///< of the bound groups, kg, from the most massive on
-  std::vector<double> group_cores;   ///< the most massive clump of each, kg
-  double debris_bound_mass = 0;      ///< in clumps below remnant_min_particles, in some group, kg
-  std::vector<PointMass> debris;     ///< those clumps, from the most massive on
+  std::vector<double> group_cores;   ///< mass of the most massive clump of each group, kg
+  /// Mass of clumps below remnant_min_particles that are in some group, kg.
+  double debris_bound_mass = 0;
+  std::vector<PointMass> debris;  ///< these clumps, the most massive first
 };
 
-/// Friends-of-friends, then gravitational binding, then shape and spin of every remnant. Sums run
-/// in the order of particle ids: the result has the same bits for any memory order.
+/// Finds clumps by friends-of-friends, then bound groups, then the shape and spin of every remnant.
+/// Sums run in the order of particle ids, so the result has the same bits for any memory order.
 Remnants find_remnants(const particles::State& state);
 
 }  // namespace eerie::remnants

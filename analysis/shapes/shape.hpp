@@ -20,12 +20,12 @@ struct Shape {
   double c_over_a() const { return a > 0 ? c / a : 0; }
 };
 
-/// Positions in m, about any origin. Points carry no extent of their own, as in the paper: N
-/// points on a lattice of spacing s come out short by s^2/12 in every second moment.
+/// The shape of points at the positions x, m, about any origin. Points have no extent, as in the
+/// paper, so N points on a lattice of spacing s lack s^2/12 in every second moment.
 Shape ellipsoid_of_inertia(std::span<const Vec3> x);
 
-/// Rotation of equal point masses about their centre of mass, from L = I omega, rad/s.
-/// Nothing where the inertia tensor cannot be inverted (points on one line).
+/// The angular velocity of equal point masses about their centre of mass, from L = I omega, rad/s.
+/// Nothing where the inertia tensor has no inverse (points on one line).
 std::optional<Vec3> angular_velocity(std::span<const Vec3> x, std::span<const Vec3> v);
 
 }  // namespace eerie::shapes

@@ -9,8 +9,9 @@
 
 namespace eerie::shapes {
 
-/// bilobed: two lobes and a neck between them, whatever the axes; elongated: b/a < 2/3;
-/// flat: b/a >= 2/3 and c/b < 2/3; spherical: neither. The two-thirds are Zingg's (1935).
+/// Classes of shape. A bilobed body has two lobes with a neck between them, whatever its axes.
+/// Otherwise it is elongated where b/a < 2/3, flat where b/a >= 2/3 and c/b < 2/3, and spherical in
+/// all other cases. Zingg (1935) chose two thirds.
 enum class ShapeClass { spherical, flat, elongated, bilobed };
 
 struct ShapeClassName {
@@ -29,13 +30,13 @@ inline constexpr double zingg_ratio = 2.0 / 3;
 /// A neck thinner than this makes a body bilobed: the cross-section between two equal spheres
 /// that overlap with their centres one radius apart is 3/4 of a lobe's.
 inline constexpr double bilobed_max_neck = 0.75;
-/// What lies beyond a neck is a lobe when it holds so much of the mass.
+/// The part beyond a neck is a lobe where it has at least this fraction of the mass.
 inline constexpr double lobe_min_mass = 0.1;
 
-/// Cross-section at the thinnest place between two lobes along `axis` (a unit vector), over that
-/// of the thinner lobe; 1 where there is no neck. The cross-section is the number of particles per
-/// length, smoothed by a Gaussian of standard deviation `smoothing` (m, > 0): necks much shorter
-/// than that are not seen. x: positions of equal masses, m.
+/// The cross-section at the thinnest place between two lobes along `axis` (a unit vector), over
+/// that of the thinner lobe; 1 where there is no neck. The cross-section is the number of particles
+/// per length, smoothed by a Gaussian of standard deviation `smoothing` (m, > 0), so it misses
+/// necks much shorter than that. x are the positions of equal masses, m.
 double neck(std::span<const Vec3> x, const Vec3& axis, double smoothing);
 
 ShapeClass classify_shape(const Shape& shape, double neck);

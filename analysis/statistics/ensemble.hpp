@@ -6,17 +6,18 @@
 
 namespace eerie::statistics {
 
-/// What the runs of one impact with several seeds say about one quantity; all 0 for no run.
+/// The statistics of one quantity over the runs of one impact with several seeds. All numbers are 0
+/// without runs.
 struct Ensemble {
   std::size_t runs = 0;
-  double mean = 0, deviation = 0;  ///< of the sample, over runs - 1; 0 for one run
+  double mean = 0, deviation = 0;  ///< sample deviation (divided by runs - 1); 0 for one run
   double low = 0, high = 0;
 };
 Ensemble ensemble(const std::vector<double>& values);
 
-/// Nothing where no run has the number.
+/// The mean; nothing where no run has the number.
 std::optional<double> mean_of(const Ensemble& e);
-/// Nothing where fewer than two have it.
+/// The deviation; nothing where fewer than two runs have the number.
 std::optional<double> deviation_of(const Ensemble& e);
 
 }  // namespace eerie::statistics

@@ -7,8 +7,8 @@
 
 namespace eerie::auto_fidelity {
 
-/// The maps of an automatic choice of fidelity, one per mass ratio and friction angle: each cell
-/// says what it rests on, and is heavily framed where it is in doubt.
+/// The maps of an automatic choice of fidelity, one per mass ratio and friction angle. Each cell
+/// names the fidelity behind it, and has a heavy frame where it is in doubt.
 std::vector<diagrams::PhaseDiagram> phase_diagrams(const AutoFidelity& campaign);
 
 }  // namespace eerie::auto_fidelity

@@ -10,7 +10,7 @@
 
 namespace eerie::auto_fidelity {
 
-/// One round of an automatic choice: what is known, what is wanted, how much of it is to be run.
+/// One round of an automatic choice: the wanted runs, and how many of them are left to run.
 struct AutoRound {
   int number = 1;
   std::vector<std::size_t> wanted;  ///< runs, rung by rung
@@ -23,24 +23,24 @@ class AutoObserver : public virtual manager::CampaignObserver {
 };
 
 struct AutoPlan {
-  std::string name, document;  ///< of the sweep that the database gets
+  std::string name, document;  ///< name and document of the sweep in the database
   double core_hours = 0;       ///< 0: no limit
-  bool retry_failed = false;   ///< in the first round
+  bool retry_failed = false;   ///< retries failed runs in the first round
 };
 
-/// Runs rounds of what the campaign wants next until nothing is in doubt, the budget is spent, what
-/// is wanted has failed before, or a stop is asked for. The caller holds the database's lock and
-/// catches stop signals.
+/// Runs what the campaign wants next, round by round, until nothing is in doubt, the budget is
+/// spent, all wanted runs have failed before, or a stop is requested. The caller holds the lock of
+/// the database and catches stop signals.
 manager::Tally run_auto(db::Connection& connection, AutoFidelity& campaign, const AutoPlan& plan,
                         const manager::Workplace& workplace, AutoObserver& observer);
 
-/// What is known of each impact, for people.
+/// A table of the results of each impact, for people.
 text::Table table_of_cells(const AutoFidelity& campaign);
 
-/// Core-hours of all runs that the verdicts made use of.
+/// The core-hours of all runs behind the verdicts.
 double spent_core_hours(const AutoFidelity& campaign);
 
-/// Impacts whose answer is not as sure as asked.
+/// The number of impacts whose answer is not as sure as asked.
 std::size_t doubtful(const AutoFidelity& campaign);
 
 /// Writes STEM.csv and one map (.png and .svg) per mass ratio and friction angle; returns the

@@ -8,7 +8,7 @@
 
 namespace eerie::catalogue {
 
-/// An impact of a catalogue as a scene of eerie's needs it.
+/// An impact of a catalogue, with the numbers that a scene of eerie needs.
 struct CatalogueImpact {
   double q = 1, v_imp_cm_per_s = 0, theta_imp_deg = 0;
   double radius_m = 0, rho0_kg_per_m3 = 0;
@@ -16,14 +16,14 @@ struct CatalogueImpact {
   std::optional<double> seed = {};
 };
 
-/// What the catalogue says became of it.
+/// The outcome of an impact in the catalogue.
 struct PublishedOutcome {
   std::string outcome_class;  ///< empty: not said
   std::optional<double> m_lr_over_m_total = {}, m_slr_over_m_total = {}, b_over_a = {};
 };
 
 struct CatalogueRow {
-  std::size_t line = 0;  ///< in the file
+  std::size_t line = 0;  ///< its number in the file
   std::string run_id;
   CatalogueImpact impact;
   PublishedOutcome outcome;
@@ -32,18 +32,19 @@ struct CatalogueRow {
 
 struct Catalogue {
   std::vector<CatalogueRow> rows;
-  std::vector<std::string> ignored;  ///< headers that name nothing known
+  std::vector<std::string> ignored;  ///< headers that are not recognised
 };
 
-/// What the file leaves open.
+/// Values for what the file does not say.
 struct CatalogueOptions {
-  std::optional<double> density_kg_per_m3;  ///< where there is no such column; default: the scene's
-  std::optional<double>
-      radius_m;  ///< of all targets in place of the file's: v/v_esc, q, theta stay
+  /// Used where there is no such column; default: that of a scene.
+  std::optional<double> density_kg_per_m3;
+  /// Replaces the radius of all targets; v/v_esc, q and theta stay.
+  std::optional<double> radius_m;
 };
 
-/// Reads a catalogue of collisions (docs/catalogue.md). Throws InputError naming file, line,
-/// column, value, what is allowed and the mend.
+/// Reads a catalogue of collisions (docs/catalogue.md). Throws InputError, which names file, line,
+/// column, value, the allowed values and the mend.
 Catalogue parse_catalogue(std::string_view text, const std::string& name,
                           const CatalogueOptions& options);
 

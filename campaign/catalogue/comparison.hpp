@@ -9,34 +9,37 @@
 
 namespace eerie::catalogue {
 
-/// An impact of a catalogue beside the results of one set of settings at its point.
+/// An impact of a catalogue and the results of one set of settings at its point.
 struct Comparison {
   const CatalogueRow* row = nullptr;
-  std::string settings = {};       ///< fidelity, or the particles per target where it has no name
-  std::size_t runs = 0;            ///< 0: there is no result
-  std::string outcome_class = {};  ///< of most runs
-  std::size_t of_class = 0;        ///< so many
+  /// The fidelity, or the particles per target where the settings have no name.
+  std::string settings = {};
+  std::size_t runs = 0;                                  ///< 0: there is no result
+  std::string outcome_class = {};                        ///< the class of most runs
+  std::size_t of_class = 0;                              ///< the number of runs with that class
   double m_lr_over_m_total = 0, m_slr_over_m_total = 0;  ///< means
   double m_lr_scatter = 0;  ///< standard deviation of one run; 0 for a single one
   std::optional<double> b_over_a = {};
 
-  /// Ours less the catalogue's; nothing where either is lacking.
+  /// The value of eerie minus that of the catalogue; nothing where one is missing.
   std::optional<double> m_lr_difference() const;
 };
 
-/// Every row of the catalogue, in its order, once for each settings with results of its bodies at
-/// its point, or once with no runs. Results of another solver version are left out.
+/// Compares every row of the catalogue, in its order, with each settings that have results of its
+/// bodies at its point, or once without runs. Results of another solver version are left out.
 std::vector<Comparison> compare(const db::Connection& connection, const Catalogue& catalogue);
 
-/// A row for each, for programs and for people; null where there is no result.
+/// A table with one row per comparison, for programs and for people. Values are null where there is
+/// no result.
 text::Table table_of_comparisons(const std::vector<Comparison>& all);
 
-/// How well the comparisons agree as a whole.
+/// The agreement of all comparisons.
 struct Agreement {
-  std::size_t lacking = 0;                  ///< rows without a result
-  std::size_t masses = 0;                   ///< rows whose largest masses can be compared ...
-  double m_lr_rms = 0;                      ///< ... and the root mean square of the differences
-  std::size_t classes = 0, same_class = 0;  ///< rows whose classes can be compared, and are equal
+  std::size_t lacking = 0;  ///< rows without a result
+  std::size_t masses = 0;   ///< rows whose largest masses can be compared
+  double m_lr_rms = 0;      ///< root mean square of the differences of these masses
+  std::size_t classes = 0,
+              same_class = 0;  ///< rows whose classes can be compared; those with equal classes
 };
 Agreement agreement_of(const std::vector<Comparison>& all);
 

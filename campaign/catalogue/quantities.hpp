@@ -7,7 +7,7 @@
 
 namespace eerie::catalogue {
 
-/// What a column of a catalogue of collisions may hold.
+/// The quantities that a column of a catalogue of collisions may have.
 enum class CatalogueQuantity {
   run_id,
   v_imp,
@@ -32,32 +32,32 @@ enum class CatalogueQuantity {
   fidelity
 };
 
-/// One unit of a quantity: SI (degrees for angles) = value * 10^decimals * factor.
+/// A unit of a quantity: value * 10^decimals * factor is in SI (degrees for angles).
 struct Unit {
-  std::string_view name;  ///< lower case; "per" for a slash
+  std::string_view name;  ///< in lower case, with "per" for a slash
   int decimals = 0;
   double factor = 1;
 };
 
-/// A column that was recognised by its header.
+/// A column whose header is recognised.
 struct CatalogueColumn {
   CatalogueQuantity quantity = CatalogueQuantity::run_id;
   Unit unit;
 };
 
-/// The column's name in catalogues that eerie writes, unit included: "m_target_kg".
+/// The name of the column in catalogues that eerie writes, with its unit: "m_target_kg".
 std::string column_name(CatalogueQuantity quantity);
 
 /// Reads a header such as "m_target_kg", "M_targ (kg)", "V_i/V_esc", "theta [deg]". Nothing where
-/// it names no known quantity. Throws InputError, with `where` in front, for a quantity without
+/// it names no known quantity. Throws InputError, which begins with `where`, for a quantity without
 /// its unit.
 std::optional<CatalogueColumn> column_of(const std::string& header, const std::string& where);
 
-/// The value of a field in SI (degrees for angles). Powers of ten move the decimal point, so that
-/// 0.18 m/s is 18 cm/s to the last bit where `decimals` is 2. Nothing where it is no number.
+/// The value of a field in SI (degrees for angles); nothing where it is no number. Powers of ten
+/// move the decimal point, so 0.18 m/s is exactly 18 cm/s with `decimals` of 2.
 std::optional<double> value_of(const std::string& field, const Unit& unit, int decimals = 0);
 
-/// A number with its decimal point moved, every digit kept: (17.3, -2) is "0.173".
+/// A number with its decimal point moved and all its digits: (17.3, -2) is "0.173".
 std::string moved(double value, int decimals);
 
 }  // namespace eerie::catalogue

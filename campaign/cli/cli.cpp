@@ -18,7 +18,7 @@ struct Command {
   const char* name;
   const char* description;
   const char* examples;  ///< nullptr: hidden from --help
-  Action (*add)(CLI::App&);
+  AddCommand* add;
 };
 
 constexpr Command commands[] = {

@@ -12,7 +12,7 @@
 
 namespace eerie::facts {
 
-/// A fact and what a database says of it.
+/// A fact and its test against a database.
 struct CheckedFact {
   const paper::Fact* fact = nullptr;
   paper::FactCheck finding;
@@ -21,31 +21,32 @@ struct CheckedFact {
 struct FactReport {
   std::filesystem::path database;
   std::vector<CheckedFact> facts;
-  std::string remark;                          ///< on unsettled results and those not used
-  std::vector<std::filesystem::path> figures;  ///< maps, beside the report
-  std::string no_figures;                      ///< why there are none
+  std::string remark;  ///< about unsettled results and those that are not used
+  std::vector<std::filesystem::path> figures;  ///< maps beside the report
+  std::string no_figures;                      ///< the reason where there are none
 
   std::size_t count(paper::Agreement agreement) const;
 };
 
-/// Every fact of the paper against the results of a database, of these settings where given.
+/// Tests every fact of the paper against the results of a database, of these settings where given.
 FactReport check_facts(const db::Connection& connection, const db::MapFilter& settings);
 
-/// Draws the maps beside `file`, "FILE-q1-phi40-n1000.svg"; without gnuplot the report says so.
+/// Draws the maps beside `file`, "FILE-q1-phi40-n1000.svg". Without gnuplot the report says why
+/// there are none.
 void draw_maps(FactReport& report, const db::Connection& connection, const db::MapFilter& settings,
                const std::filesystem::path& file);
 
 nlohmann::json to_json(const FactReport& report);
-/// For people: fact, verdict, what is found and on what that rests.
+/// A table for people: each fact, its verdict, the finding, and the runs behind it.
 text::Table table_of_facts(const FactReport& report);
-/// The whole as a page of Markdown; figures are named relative to it.
+/// The whole report as a page of Markdown. Paths of figures are relative to it.
 std::string markdown(const FactReport& report);
 
-/// Each command that would decide something, with the facts that wait for it, in their order.
+/// Each command that would decide some facts, with the names of these facts, in their order.
 std::vector<std::pair<std::string, std::string>> commands_of(const FactReport& report);
-/// "23 facts: 12 agrees, ..."
+/// The counts, "23 facts: 12 agrees, ..."
 std::string summary(const FactReport& report);
-/// By what rules facts are decided, and where others are.
+/// The rules by which facts are decided.
 std::string rules();
 inline constexpr const char* other_means =
     "Facts on the disk around the impacts, on friction and on tides are checked by `eerie disk`.";

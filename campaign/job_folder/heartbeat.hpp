@@ -12,12 +12,12 @@
 
 namespace eerie::job_folder {
 
-/// How often a worker beats.
+/// The time between two heartbeats of a worker.
 inline constexpr std::chrono::milliseconds beat_interval{5000};
 
-/// While it lives, installs a file every five seconds that says which process is alive where, and
-/// for how long it has been awake: also during a long step or the making of the bodies, when there
-/// is no progress to tell.
+/// While it lives, it installs a file every five seconds that names the process and its host, and
+/// says for how long it has been awake. It does so also during a long step and while bodies are
+/// made, when there is no progress to report.
 class Heartbeat {
  public:
   explicit Heartbeat(std::filesystem::path path,
@@ -32,7 +32,8 @@ class Heartbeat {
 
   std::filesystem::path path_;
   std::chrono::milliseconds interval_;
-  std::chrono::duration<double> awake_{0};  ///< of this worker; not halted, not asleep
+  std::chrono::duration<double> awake_{
+      0};  ///< time in which this worker was neither halted nor asleep
   std::mutex mutex_;
   std::condition_variable wake_;
   bool over_ = false;
@@ -44,9 +45,9 @@ struct Beat {
   std::string host;
   long pid = 0;
   double unix_time_s = 0;
-  std::optional<double> awake_s = {};  ///< nothing: an older worker, which did not say
+  std::optional<double> awake_s = {};  ///< nothing for an older worker, which does not report it
 };
-/// Nothing where the file is missing or unreadable.
+/// Reads the last heartbeat; nothing where the file is missing or unreadable.
 std::optional<Beat> read_beat(const JobDirectory& directory);
 
 }  // namespace eerie::job_folder

@@ -15,19 +15,20 @@ namespace eerie::job_folder {
 struct HistoryRow {
   double time_s = 0;
   int n_remnants = 0;
-  double m_1_over_m_total = 0, m_2_over_m_total = 0;  ///< the two largest remnants
-  double b_over_a = 0, c_over_a = 0;                  ///< of the largest
-  // Energies of the whole system, J; the last four are 0 without an energy equation.
+  double m_1_over_m_total = 0, m_2_over_m_total = 0;  ///< masses of the two largest remnants
+  double b_over_a = 0, c_over_a = 0;                  ///< of the largest remnant
+  // These are energies of the whole system, J. The last four are 0 without an energy equation.
   double kinetic_energy_J = 0, potential_energy_J = 0, internal_energy_J = 0, viscous_heat_J = 0,
          friction_heat_J = 0, shear_energy_J = 0;
-  double dL_over_L = 0;  ///< change of the angular momentum since the start; 0 where there is none
-  // What carries the rubble and how true its density is (solver/step/diagnosis.hpp).
+  /// Relative change of the angular momentum since the start; 0 for a head-on impact.
+  double dL_over_L = 0;
+  // These say what carries the rubble and how correct its density is (solver/step/diagnosis.hpp).
   double eos_pressure_Pa = 0, viscous_pressure_Pa = 0, pressureless = 0;
   double density_kg_per_m3 = 0, summed_density_kg_per_m3 = 0, density_error = 0;
 };
 
-/// The numbers of a row in the order of its columns, with their names; reading and writing both
-/// walk this table.
+/// Visits the numbers of a row with their names, in the order of the columns. Reading and writing
+/// both use this table.
 template <class Row, class Visit>
 requires std::same_as<std::remove_const_t<Row>, HistoryRow>
 void visit_columns(Row& row, Visit&& visit) {
@@ -52,17 +53,17 @@ void visit_columns(Row& row, Visit&& visit) {
   visit("density_error", row.density_error);
 }
 
-/// A row with what the analysis says.
+/// Makes a row from an analysis.
 HistoryRow history_row(double time_s, const remnants::Analysis& analysis);
 
-/// The rows of a history.csv; none where the file is missing. Lines that are cut off are left out.
+/// Reads the rows of a history.csv; none where the file is missing. It leaves out incomplete lines.
 std::vector<HistoryRow> read_history(const std::filesystem::path& path);
 
 /// The shape of an impact over time.
 using History = RowLog<HistoryRow>;
 
-/// Whether two large bodies (each at least half the impactor's share of the mass) were seen
-/// apart after they had been one: a merger of this kind is graze-and-merge.
+/// Whether two large bodies, each with at least half the impactor's mass, were apart after they had
+/// been one. A merger of this kind is graze-and-merge.
 bool separated_after_contact(const std::vector<HistoryRow>& rows, double q);
 
 }  // namespace eerie::job_folder

@@ -10,8 +10,8 @@
 
 namespace eerie::job_folder {
 
-/// The folder through which manager and worker speak (docs/job-directory.md). Every file in it
-/// is installed whole or not at all.
+/// The folder through which manager and worker communicate (docs/job-directory.md). Every file in
+/// it is installed atomically.
 struct JobDirectory {
   std::filesystem::path path;
 
@@ -32,45 +32,45 @@ struct JobDirectory {
   std::filesystem::path stop() const { return path / "stop"; }
 };
 
-/// Where the job directories of a campaign lie.
+/// The folder of the job directories of a campaign.
 struct JobFolder {
   std::filesystem::path root;
-  /// root / first 16 hex digits of the hash.
+  /// The directory of a job: root / the first 16 hexadecimal digits of its hash.
   JobDirectory of(const std::string& hash) const { return {root / hash.substr(0, 16)}; }
 };
 
-/// The folder that the database names, or "<database>.jobs".
+/// The job folder of a database: the one that it names, or "<database>.jobs".
 JobFolder job_folder(const db::Connection& connection);
 
-/// Makes the folder and tries to write in it. Throws EnvironmentError that says why it cannot be
-/// used; DiskFullError where it has no room.
+/// Makes the folder and tries to write in it. Throws EnvironmentError with the reason where it
+/// cannot be used, and DiskFullError where the disk is full.
 void require_usable(const std::filesystem::path& root);
 
-/// Makes the directory and sees that what manager and worker open in it are files. Throws
-/// EnvironmentError that names what is in the way.
+/// Makes the directory and checks that everything that manager and worker open in it is a file.
+/// Throws EnvironmentError, which names the obstacle.
 void require_usable(const JobDirectory& directory);
 
-/// Lets the job directories of a database lie in `root`, which may be on another file system than
-/// the database; tried before it is stored. Throws InputError where they lie elsewhere already, or
-/// where the folder cannot be used.
+/// Puts the job directories of a database into `root`, which may be on another file system. It
+/// tries the folder before it stores the choice. Throws InputError where they are elsewhere
+/// already, or where the folder cannot be used.
 void choose_job_folder(db::Connection& connection, const std::filesystem::path& root);
 
-/// What a running worker says of itself about once a second.
+/// The report of a running worker, about once a second.
 struct WorkerProgress {
   double time_s = 0;
-  double end_time_s = 0;      ///< at the latest
+  double end_time_s = 0;      ///< the latest possible end
   double expected_end_s = 0;  ///< expected_end_s() of the scene
   long step = 0;
-  double particle_steps = 0;  ///< of the job, earlier attempts included
+  double particle_steps = 0;  ///< of the job, with earlier attempts
   double wall_s = 0;          ///< of this worker
   long pid = 0;
 };
 nlohmann::json to_json(const WorkerProgress& progress);
 
-/// Nothing where the file is missing or unreadable.
+/// Reads the report; nothing where the file is missing or unreadable.
 std::optional<WorkerProgress> read_progress(const JobDirectory& directory);
 
-/// What a worker says last of itself: how its attempt ended and what it cost.
+/// The last report of a worker: how its attempt ended and what it cost.
 struct AttemptEnded {
   int exit_code = -1;
   double core_seconds = 0;
@@ -79,20 +79,21 @@ struct AttemptEnded {
   long pid = 0;
 };
 nlohmann::json to_json(const AttemptEnded& ended);
-/// Nothing where the attempt goes on, was killed, or its file is unreadable.
+/// Reads the last report; nothing where the attempt is running or was killed, or where the file is
+/// unreadable.
 std::optional<AttemptEnded> read_ended(const JobDirectory& directory);
 
-/// Why a run cannot give a result; the file's presence makes the job failed.
+/// The reason why a run cannot give a result. A job with this file has failed.
 struct Failure {
   std::string kind;  ///< e.g. "not-finite"
   long step = 0;
-  long particle_id = -1;  ///< -1: no single particle is to blame
+  long particle_id = -1;  ///< -1 where no single particle caused it
   std::string message;
 };
 nlohmann::json to_json(const Failure& failure);
 std::optional<Failure> read_failure(const JobDirectory& directory);
 
-/// A JSON file's content, or nothing where it is missing or is not JSON.
+/// The content of a JSON file; nothing where it is missing or is not JSON.
 std::optional<nlohmann::json> read_json(const std::filesystem::path& path);
 
 }  // namespace eerie::job_folder

@@ -2,9 +2,12 @@
 
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/rotating_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include "campaign/text/plain_text.hpp"
+#include "db/store/place.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::job_folder {
@@ -37,6 +40,23 @@ void open_log(const JobDirectory& directory) {
     auto log = spdlog::basic_logger_mt("eerie", directory.log().string());
     log->set_formatter(log_formatter());
     log->flush_on(spdlog::level::info);
+    spdlog::set_default_logger(std::move(log));
+  } catch (const spdlog::spdlog_ex& error) {
+    throw EnvironmentError(error.what());
+  }
+}
+
+void open_campaign_log(const std::filesystem::path& database, bool to_stderr) {
+  constexpr std::size_t bytes = 10'000'000, files = 3;
+  try {
+    std::vector<spdlog::sink_ptr> sinks = {std::make_shared<spdlog::sinks::rotating_file_sink_mt>(
+        db::resolved(database).string() + ".log", bytes, files)};
+    if (to_stderr) sinks.push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
+    auto log = std::make_shared<spdlog::logger>("manager", sinks.begin(), sinks.end());
+    log->set_formatter(log_formatter());
+    log->flush_on(spdlog::level::info);
+    // A full disk must not fill standard error as well.
+    log->set_error_handler([](const std::string&) {});
     spdlog::set_default_logger(std::move(log));
   } catch (const spdlog::spdlog_ex& error) {
     throw EnvironmentError(error.what());

@@ -8,12 +8,16 @@
 
 namespace eerie::job_folder {
 
-/// Time, level and message of a log's line. Messages are made plain (campaign/text/plain_text.hpp):
-/// what they quote from files and programs can neither begin a line of its own nor command a
-/// terminal.
+/// The format of a line in a log: time, level and message. Messages are made plain
+/// (campaign/text/plain_text.hpp), so that text from files and programs can neither begin a line
+/// nor control a terminal.
 std::unique_ptr<spdlog::formatter> log_formatter();
 
-/// Sends spdlog's messages to the directory's log.txt, behind what stands there.
+/// Appends the messages of spdlog to the log.txt of the directory.
 void open_log(const JobDirectory& directory);
+
+/// Sends the messages of a campaign's manager to "<database>.log", three files of 10 MB in turn,
+/// and to standard error where wanted.
+void open_campaign_log(const std::filesystem::path& database, bool to_stderr);
 
 }  // namespace eerie::job_folder

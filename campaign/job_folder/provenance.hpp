@@ -5,13 +5,13 @@
 
 namespace eerie::job_folder {
 
-/// Where a result comes from: program, build and machine.
+/// The program, build and machine behind a result.
 struct Provenance {
   std::string version;         ///< of eerie, "0.1.0"
   std::string solver_version;  ///< solver/base/version.hpp
-  std::string commit;          ///< git commit of the build; "+" behind it: with uncommitted changes
+  std::string commit;          ///< git commit of the build, with "+" for uncommitted changes
   std::string compiler;        ///< "g++ 12.2.0"
-  std::string flags;           ///< that decide the numbers
+  std::string flags;           ///< compiler flags that affect the numbers
   std::string host;
 };
 

@@ -11,13 +11,13 @@
 
 namespace eerie::job_folder {
 
-/// Rows over time in a CSV file that a cut-off run goes on with. A Row has `time_s`, and
-/// visit_columns(row, visit) names its numbers in the order of the columns.
+/// Rows over time in a CSV file, which an interrupted run continues. A Row has `time_s`, and
+/// visit_columns(row, visit) visits its numbers with their names, in the order of the columns.
 template <class Row>
 class RowLog {
  public:
-  /// Goes on from the rows of an earlier attempt, where the file has some. Lines that are cut off
-  /// are left out.
+  /// Continues the rows of an earlier attempt, where the file has some. It leaves out incomplete
+  /// lines.
   explicit RowLog(std::filesystem::path path) : path_(std::move(path)) {
     std::error_code ignored;
     if (!std::filesystem::exists(path_, ignored)) return;
@@ -27,8 +27,8 @@ class RowLog {
       if (parse(line, row)) rows_.push_back(row);
   }
 
-  /// Installs the file with these rows of one moment; rows of the same or a later time, left by an
-  /// attempt that was cut off after its last checkpoint, give way.
+  /// Installs the file with these rows of one moment. They replace rows of the same or a later
+  /// time, which an attempt has left that was interrupted after its last checkpoint.
   void add(const std::vector<Row>& rows) {
     if (rows.empty()) return;
     std::erase_if(rows_, [&](const Row& r) { return r.time_s >= rows.front().time_s; });
@@ -58,7 +58,7 @@ class RowLog {
     return line + "\n";
   }
 
-  /// Whether the line has a number for every column, and no more.
+  /// Whether the line has exactly one number for every column.
   static bool parse(const std::string& line, Row& row) {
     std::istringstream in(line);
     bool first = true, whole = true;

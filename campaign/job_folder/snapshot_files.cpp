@@ -26,7 +26,7 @@ std::size_t nearest_one(const std::vector<SnapshotFile>& series, double time) {
 
 }  // namespace
 
-std::vector<SnapshotFile> snapshot_series(const fs::path& folder) {
+std::vector<SnapshotFile> snapshot_files(const fs::path& folder) {
   std::vector<SnapshotFile> series;
   std::error_code problem;
   for (const auto& entry : fs::directory_iterator(folder, problem))

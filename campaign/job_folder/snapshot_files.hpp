@@ -12,21 +12,22 @@ struct SnapshotFile {
   double time = 0;  ///< s
 };
 
-/// snapshot_NNNN.hdf5 and final.hdf5 of a folder in order of time; where two are of one time, the
-/// first. Only their times are read. Throws InputError where the folder holds none.
-std::vector<SnapshotFile> snapshot_series(const std::filesystem::path& folder);
+/// The files snapshot_NNNN.hdf5 and final.hdf5 of a folder, in order of time. Where two have the
+/// same time, the first one counts. It reads only their times. Throws InputError where the folder
+/// has none.
+std::vector<SnapshotFile> snapshot_files(const std::filesystem::path& folder);
 
-/// Index of the snapshot nearest each time, s. Throws InputError with the times that there are and
-/// how to have more written, where the nearest is farther away than half of
-/// output.snapshot_interval_s and 2 % of the last time.
+/// The index of the snapshot nearest to each time, s. Throws InputError where the nearest one is
+/// further away than half of output.snapshot_interval_s and 2 % of the last time. The message lists
+/// the times and says how to write more snapshots.
 std::vector<std::size_t> nearest(const std::vector<SnapshotFile>& series,
                                  const std::vector<double>& times);
 
-/// Five moments that tell the story of an impact, or as many as there are: the snapshots nearest 0,
-/// 5, 15, 40 and 100 % of the time covered.
+/// The indices of at most five snapshots that show the course of an impact: those nearest to 0, 5,
+/// 15, 40 and 100 % of the time.
 std::vector<std::size_t> telling(const std::vector<SnapshotFile>& series);
 
-/// "0, 500, 1000 ... 50000 s (101 snapshots)"
+/// The times in words: "0, 500, 1000 ... 50000 s (101 snapshots)".
 std::string times_text(const std::vector<SnapshotFile>& series);
 
 }  // namespace eerie::job_folder

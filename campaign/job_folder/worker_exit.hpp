@@ -2,13 +2,14 @@
 
 namespace eerie::job_folder {
 
-// Exit codes of a worker that are no verdict on its job; others are those of every command.
+// These exit codes of a worker say nothing about its job. All other codes are those of every
+// command.
 
-/// It was told to stop and left a checkpoint (sysexits' EX_TEMPFAIL).
+/// The worker was asked to stop and left a checkpoint (EX_TEMPFAIL of sysexits).
 inline constexpr int worker_stopped = 75;
-/// It could not write for want of room on the disk (EX_IOERR).
+/// The worker could not write, since the disk was full (EX_IOERR).
 inline constexpr int worker_disk_full = 74;
-/// Another worker is in the directory (EX_CANTCREAT).
+/// Another worker works in the directory (EX_CANTCREAT).
 inline constexpr int worker_busy = 73;
 
 }  // namespace eerie::job_folder

@@ -5,16 +5,16 @@
 
 namespace eerie::job_folder {
 
-/// Another process works in the job directory.
+/// Thrown where another process works in the job directory.
 struct DirectoryBusy : EnvironmentError {
   using EnvironmentError::EnvironmentError;
 };
 
-/// Held by the process that works in a job directory, by flock on worker.lock: two never work in
-/// one, and a manager that was restarted sees whether the worker it left behind is still there.
+/// The lock of the process that works in a job directory, a flock on worker.lock. So two processes
+/// never work in one directory, and a restarted manager sees whether its former worker still runs.
 class WorkerLock {
  public:
-  /// Throws DirectoryBusy where another process works in the directory.
+  /// Takes the lock. Throws DirectoryBusy where another process works in the directory.
   explicit WorkerLock(const JobDirectory& directory);
   ~WorkerLock();
   WorkerLock(const WorkerLock&) = delete;

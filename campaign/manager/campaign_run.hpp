@@ -15,47 +15,49 @@
 
 namespace eerie::manager {
 
-/// How the user wants the cores shared; 0: chosen.
+/// The user's choice of how to share the cores; 0: the program chooses.
 struct Share {
   int workers = 0, threads_per_job = 0;
 };
 
-/// Where the workers of a campaign run, and how its manager treats them.
+/// The place where the workers of a campaign run, and the options of its manager.
 struct Workplace {
-  /// The scheduler of a database whose job folder is chosen.
+  /// Makes the scheduler for a database whose job folder is chosen.
   std::function<std::unique_ptr<Scheduler>(const db::Connection&, const Split&)> scheduler;
-  bool is_this_machine = true;  ///< whose cores are then shared by choose_split()
+  bool is_this_machine = true;  ///< choose_split() then shares its cores
   Share share;
   ManagerOptions options;
 };
 
-/// Is told how a campaign goes; what it does not care for it leaves out.
+/// Observes a campaign. Each function may be left out.
 class CampaignObserver {
  public:
   virtual ~CampaignObserver() = default;
-  /// Splits of the cores with their speeds; the first, the fastest, is taken.
+  /// The splits of the cores and their speeds were measured. The first one, which is the fastest,
+  /// will be used.
   virtual void measured(std::span<const Split> /*splits*/) {}
-  /// A few times per second.
+  /// Called a few times per second.
   virtual void at_work(const CampaignView& /*view*/) {}
 };
 
-/// As the user says, else as measured on the longest job; without a measurement, many narrow jobs.
+/// The split that the user wants, or the fastest one by a measurement on the longest job. Without a
+/// measurement it has many jobs of few threads.
 Split choose_split(const Share& share, const std::vector<db::Job>& pending,
                    const db::Connection& connection, CampaignObserver& observer);
 
-/// Runs the pending jobs of a sweep until none is left or a stop is asked for. The caller holds the
-/// database's lock and catches stop signals.
+/// Runs the pending jobs of a sweep until none is left or a stop is requested. The caller holds the
+/// lock of the database and catches stop signals.
 void work(db::Connection& connection, std::int64_t sweep, const Workplace& workplace,
           CampaignObserver& observer);
 
-/// How many jobs of a sweep there are.
+/// The numbers of jobs of a sweep.
 struct Tally {
   std::size_t total = 0, done = 0, failed = 0, left = 0;
-  std::size_t paused = 0;  ///< of those left
+  std::size_t paused = 0;  ///< number of jobs among `left` that are paused
 };
 Tally tally(const db::Connection& connection, std::int64_t sweep);
 
-/// The first of `runs`, which have a `scene` each, that together cost no more than `core_hours`.
+/// The first of `runs`, each with a `scene`, that together cost at most `core_hours`.
 template <class Run>
 std::vector<Run> affordable(std::vector<Run> runs, double core_hours, const db::Speed& speed) {
   double left = core_hours * 3600;

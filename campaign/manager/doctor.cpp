@@ -13,9 +13,9 @@
 #include "db/jobs/doctor.hpp"
 #include "db/jobs/jobs.hpp"
 #include "db/store/settings.hpp"
-#include "solver/base/disk.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
+#include "solver/base/free_space.hpp"
 #include "solver/base/version.hpp"
 #include "solver/io/snapshot.hpp"
 

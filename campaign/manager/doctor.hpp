@@ -9,22 +9,23 @@
 
 namespace eerie::manager {
 
-/// Something that is not as it should be.
+/// A finding of an examination.
 struct Problem {
   std::string what;       ///< one sentence that names the file or the job
-  std::string mend;       ///< what helps; or, with `mended`, what was done
-  bool mendable = false;  ///< safe to mend by program: nothing that is true is lost
+  std::string mend;       ///< the remedy, or with `mended` what was done
+  bool mendable = false;  ///< whether the program can mend it without a loss of valid data
   bool mended = false;
-  bool is_note = false;  ///< worth knowing, and no damage
+  bool is_note = false;  ///< whether it is information and no damage
 };
 
-/// How far an examination has come: `done` of `total` jobs.
+/// Reports the progress of an examination: `done` of `total` jobs.
 using Examined = std::function<void(std::size_t done, std::size_t total)>;
 
-/// Looks at database, job directories and disk.
+/// Examines database, job directories and disk.
 std::vector<Problem> examine(const db::Connection& connection, const Examined& examined);
 
-/// Mends what is safe and gives every finding. The caller holds the database's lock.
+/// Mends what is safe to mend, and returns every finding. The caller holds the lock of the
+/// database.
 std::vector<Problem> mend(db::Connection& connection, const Examined& examined);
 
 }  // namespace eerie::manager

@@ -13,19 +13,19 @@
 
 namespace eerie::manager {
 
-/// "<database>.inbox": the folder of requests to whoever works on the database, a file each. The
-/// database stays in one writer's hands, and a request outlives both sides.
+/// The folder "<database>.inbox" of requests to the process that works on a database, with one file
+/// per request. So the database has one writer, and a request survives the end of either side.
 class Inbox {
  public:
   explicit Inbox(const std::filesystem::path& database);
 
   void put(const Request& request) const;
 
-  /// Carries out what lies there in the order in which it was put there; returns how many. A file
-  /// that is no request, that cannot be carried out, or that belongs to somebody else than root,
-  /// the owner of the database and who runs this process, is set aside as ".refused", with the
-  /// reason beside it in ".reason". Throws only where the database is in trouble; what is left then
-  /// is taken the next time.
+  /// Carries out the requests in the order in which they arrived, and returns their number. It
+  /// renames a file to ".refused", with the reason beside it in ".reason", where the file is no
+  /// request, cannot be carried out, or has a foreign owner. Owners that are not foreign are root,
+  /// the owner of the database and the user of this process. Throws only for problems of the
+  /// database; remaining requests then wait for the next call.
   std::size_t take(db::Connection& connection) const;
 
   bool is_empty() const;
@@ -37,11 +37,13 @@ class Inbox {
   std::vector<std::filesystem::path> waiting() const;
 
   std::filesystem::path database_, folder_;
-  mutable std::set<std::string> stuck_;  ///< dealt with, and could be neither removed nor renamed
+  /// Files that are done, but can be neither removed nor renamed.
+  mutable std::set<std::string> stuck_;
 };
 
-/// Has a request carried out: here, where nobody works on the database, else by whoever does.
-/// Nothing where the answer takes longer than `patience`; it is carried out all the same.
+/// Has a request carried out, by this process where nobody works on the database, and otherwise by
+/// the process that does. Nothing where the answer takes longer than `patience`; the request is
+/// still carried out.
 std::optional<nlohmann::json> send(const std::filesystem::path& database, const Request& request,
                                    std::chrono::milliseconds patience);
 

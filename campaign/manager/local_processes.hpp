@@ -6,11 +6,11 @@
 
 namespace eerie::manager {
 
-/// Workers as child processes of this one: the program itself, as `eerie worker DIR`.
+/// Runs workers as child processes: this program as `eerie worker DIR`.
 class LocalProcesses : public Scheduler {
  public:
   LocalProcesses(std::size_t workers, int threads_per_job);
-  ~LocalProcesses() override;  ///< kills what is left
+  ~LocalProcesses() override;  ///< kills the remaining workers
 
   std::size_t free_slots() override { return workers_ - jobs_.size(); }
   std::vector<std::string> start(std::span<const Task> tasks) override;
@@ -27,7 +27,7 @@ class LocalProcesses : public Scheduler {
   std::map<pid_t, std::int64_t> jobs_;  ///< process id -> job
 };
 
-/// Cores this process may use.
+/// The number of cores that this process may use.
 std::size_t usable_cores();
 
 }  // namespace eerie::manager

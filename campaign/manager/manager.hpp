@@ -17,39 +17,40 @@
 
 namespace eerie::manager {
 
-/// What a display shows of a campaign at work.
+/// The state of a campaign at work, for displays.
 struct CampaignView {
   std::size_t total = 0, done = 0, failed = 0, running = 0, paused = 0;
   double particle_steps_per_s = 0;
-  double eta_s = -1;        ///< negative: not known yet
-  bool stopping = false;    ///< waits for workers to write their checkpoints
-  std::string waiting_for;  ///< why nothing is started, where something could be
+  double eta_s = -1;        ///< negative while it is not known
+  bool stopping = false;    ///< whether it waits for checkpoints of workers
+  std::string waiting_for;  ///< why no job starts although some could
 };
 
 struct ManagerOptions {
-  std::optional<std::int64_t> sweep = {};  ///< works on this one alone; empty: on whatever comes
-  bool stays = false;                      ///< waits for requests when nothing is left to do
-  bool leaves_workers = false;             ///< workers outlive it: a stop does not concern them
-  std::uintmax_t least_free_bytes = 0;     ///< starts nothing with less room on a disk
+  std::optional<std::int64_t> sweep = {};  ///< works on this sweep alone; empty: on all jobs
+  bool stays = false;                      ///< waits for requests when no job is left
+  bool leaves_workers = false;  ///< workers outlive the manager, so a stop does not concern them
+  std::uintmax_t least_free_bytes = 0;  ///< starts no job with less free space on a disk
 };
 
-/// Works on jobs until none is pending or a stop is asked for. The only writer of the database;
-/// what workers did is read from their files alone.
+/// Works on jobs until none is pending or a stop is requested. It is the only writer of the
+/// database, and reads the work of workers from their files alone.
 ///
-/// It waits and tries again where time may help: a database that another program writes, a full
-/// disk, a result that cannot be read. A stop request ends it all the same, within seconds: what
-/// is not committed then lies in the job directories, from which the next start takes it.
+/// It waits and tries again where time may help: another program writes to the database, a disk is
+/// full, or a result cannot be read. A stop request still ends it within seconds. Results that are
+/// not committed then remain in the job directories, from which the next start takes them.
 class Manager {
  public:
   Manager(db::Connection& connection, Scheduler& scheduler, ManagerOptions options);
 
-  /// `stop_requests` counts: 1 stops with checkpoints, 2 at once. `show` is called a few times
-  /// per second; what it throws is no reason to stop. Throws db::GoneError where the database is
-  /// removed under it, and db::Error where it is damaged, after the workers have ended.
+  /// `stop_requests` returns a count: 1 stops with checkpoints, 2 at once. `show` is called a few
+  /// times per second, and its exceptions do not stop the manager. Throws db::GoneError where the
+  /// database is removed meanwhile, and db::Error where it is damaged, after the workers have
+  /// ended.
   void run(const std::function<int()>& stop_requests,
            const std::function<void(const CampaignView&)>& show);
 
-  /// Compares what the database says is running with the workers that are there, and settles the
+  /// Compares the running jobs of the database with the existing workers and settles the
   /// difference. May run at any time.
   void reconcile();
 
@@ -63,7 +64,7 @@ class Manager {
     AwakeTime awake = {};
     bool over_wall_limit = false;
   };
-  /// A worker that has ended, of a job that is not settled yet.
+  /// A worker that has ended, whose job is not settled yet.
   struct Ended {
     WorkerEnd end;
     Clock::time_point retry_at = {};
@@ -106,17 +107,17 @@ class Manager {
   ManagerOptions options_;
   job_folder::JobFolder folder_;
   Inbox inbox_;
-  DiskGuard disks_;
+  SpaceGuard disks_;
   db::JobCounts counts_;
-  std::vector<db::Job> queue_;               ///< jobs to be started next, the very next one last
-  std::map<std::int64_t, Running> running_;  ///< with a worker of this manager
-  std::map<std::int64_t, Running> foreign_;  ///< with a worker that an earlier one left behind
+  std::vector<db::Job> queue_;               ///< the next jobs to start; the first of them is last
+  std::map<std::int64_t, Running> running_;  ///< jobs with a worker of this manager
+  std::map<std::int64_t, Running> foreign_;  ///< jobs with a worker of an earlier manager
   std::vector<Ended> ended_;
-  std::vector<db::Start> unnoted_;  ///< started and not committed yet
-  int obeyed_ = 0;                  ///< stop requests acted upon
+  std::vector<db::Start> unnoted_;  ///< started jobs that are not committed yet
+  int obeyed_ = 0;                  ///< number of stop requests that it has obeyed
   Clock::time_point kill_at_{}, leave_at_{};
-  std::string waiting_for_;  ///< why nothing is started; empty: there is no reason
-  std::string unread_;       ///< a job that cannot be settled now, and why
+  std::string waiting_for_;  ///< why no job starts; empty where there is no reason
+  std::string unread_;       ///< a job that cannot be settled now, with the reason
   Clock::time_point retry_at_{};
   bool is_reconciled_ = false;
   db::Speed speed_;

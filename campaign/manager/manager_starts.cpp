@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr auto engine_patience = std::chrono::seconds(10);
+constexpr auto scheduler_patience = std::chrono::seconds(10);
 constexpr std::size_t queue_length = 256;
 
 /// A result that another solver version made is kept, under its version's name.
@@ -128,7 +128,7 @@ void Manager::start(const std::vector<db::Job>& jobs) {
   try {
     names = scheduler_.start(tasks);
   } catch (const SchedulerUnavailable& error) {
-    wait_because(error.what(), engine_patience);
+    wait_because(error.what(), scheduler_patience);
     queue_.clear();
     return;
   }

@@ -10,32 +10,32 @@
 
 namespace eerie::manager {
 
-/// What a user asks of whoever works on a database.
+/// A request of a user to the process that works on a database.
 struct Request {
-  std::string id = {};  ///< carried out once, however often it is read
-  std::string kind =
-      {};  ///< submit, pause, resume, cancel, retry, rerun-stale, priority, wall-limit
+  std::string id = {};  ///< a request is carried out once, even if it is read again
+  /// Submit, pause, resume, cancel, retry, rerun-stale, priority, wall-limit.
+  std::string kind = {};
   db::Selection selection = {};
-  std::string sweep = {};  ///< submit: the sweep as JSON
+  std::string sweep = {};  ///< for submit: the sweep as JSON
   std::optional<int> priority = {};
-  std::optional<double> wall_limit_s = {};  ///< s; empty: none
+  std::optional<double> wall_limit_s = {};  ///< s; empty: no limit
 };
 
 nlohmann::json to_json(const Request& request);
-/// Strict: keys that the kind does not have, or lacks, are errors, and every job is selected by
-/// {"all": true} alone. Throws InputError.
+/// Reads a request. Unknown and missing keys are errors, and only {"all": true} selects every job.
+/// Throws InputError.
 Request parse_request(const nlohmann::json& document, const std::string& where);
 
-/// Throws InputError for a request that nobody can carry out as it stands: of no known kind, of
-/// numbers out of range.
+/// Throws InputError for a request that no manager can carry out, because its kind is unknown or a
+/// number is out of range.
 void require_usable(const Request& request);
 
-/// An id that no other request has.
+/// Makes an id that no other request has.
 std::string new_request_id();
 
-/// Carries a request out and gives the answer, e.g. {"jobs": 3, "added": 1}, or {"error": ...}
-/// where it cannot be. The caller is the database's only writer. Throws where the database is in
-/// trouble: the same may succeed later.
+/// Carries out a request and returns the answer, such as {"jobs": 3, "added": 1}, or {"error": ...}
+/// where it cannot. The caller is the only writer of the database. Throws for problems of the
+/// database; the request may succeed later.
 nlohmann::json apply(db::Connection& connection, const Request& request);
 
 }  // namespace eerie::manager

@@ -8,13 +8,14 @@
 
 namespace eerie::manager {
 
-/// A running job whose worker gave no sign of life for long.
+/// A running job whose worker has given no sign of life for a long time.
 struct Silence {
   std::string hash, host;
   double seconds = 0;
 };
 
-/// Told, never acted upon: heartbeats carry the clock of another host, and clocks jump.
+/// Finds silent workers. They are only reported: heartbeats carry the clock of another host, and
+/// clocks jump.
 std::vector<Silence> silent_jobs(const db::Connection& connection,
                                  const job_folder::JobFolder& folder);
 

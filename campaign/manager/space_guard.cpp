@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "campaign/process/signals.hpp"
-#include "solver/base/disk.hpp"
+#include "solver/base/free_space.hpp"
 
 namespace eerie::manager {
 namespace fs = std::filesystem;
@@ -17,7 +17,7 @@ constexpr std::uintmax_t probe_bytes = 1 << 20;
 
 }  // namespace
 
-void DiskGuard::was_full(Clock::time_point now) {
+void SpaceGuard::was_full(Clock::time_point now) {
   if (doubted_ && now < full_until_) return;  // nobody has tried again since
   doubted_ = true;
   free_when_full_ = free_in_all();
@@ -25,13 +25,13 @@ void DiskGuard::was_full(Clock::time_point now) {
   patience_ = std::min(2 * patience_, longest_patience);
 }
 
-std::uintmax_t DiskGuard::free_in_all() const {
+std::uintmax_t SpaceGuard::free_in_all() const {
   std::uintmax_t sum = 0;
   for (const fs::path& folder : folders_) sum += free_bytes(folder).value_or(0);
   return sum;
 }
 
-std::optional<std::string> DiskGuard::complaint(Clock::time_point now) {
+std::optional<std::string> SpaceGuard::complaint(Clock::time_point now) {
   for (const fs::path& folder : folders_) {
     const auto free = free_bytes(folder);
     if (free && *free < least_free_)
@@ -53,9 +53,9 @@ std::optional<std::string> DiskGuard::complaint(Clock::time_point now) {
 
 bool wait_for_room(const std::filesystem::path& folder, std::uintmax_t least_free,
                    const std::function<void(const std::string&)>& tell) {
-  DiskGuard guard({folder}, least_free);
+  SpaceGuard guard({folder}, least_free);
   for (bool told = false; process::stop_requests() == 0; told = true) {
-    const auto complaint = guard.complaint(DiskGuard::Clock::now());
+    const auto complaint = guard.complaint(SpaceGuard::Clock::now());
     if (!complaint) return true;
     if (!told) tell("waiting: " + *complaint);
     process::wait_for_signal(std::chrono::seconds(1));

@@ -8,20 +8,20 @@
 
 namespace eerie::manager {
 
-/// How the cores of a machine are shared: so many jobs at a time, with so many threads each.
+/// A way to share the cores of a machine: the number of jobs at a time, and of threads for each.
 struct Split {
   std::size_t jobs = 1;
   int threads = 1;
-  double particle_steps_per_s = 0;  ///< of all jobs together; 0 where it was not measured
+  double particle_steps_per_s = 0;  ///< of all jobs together; 0 where it is not measured
 };
 
-/// Splits worth a look: 1, 2, 4... threads per job and as many jobs as `cores` and `pending` allow.
-/// Those that leave cores idle though fewer jobs could use them are left out. The first has the
-/// most jobs.
+/// The splits to consider: 1, 2, 4... threads per job, and as many jobs as `cores` and `pending`
+/// allow. A split is left out where it leaves cores idle that fewer jobs could use. The first has
+/// the most jobs.
 std::vector<Split> possible_splits(std::size_t cores, std::size_t pending);
 
-/// The splits with their speeds on impacts such as `scene`, each measured for `duration`; the
-/// fastest first.
+/// Measures each split for `duration` on impacts such as `scene`. Returns them with their speeds,
+/// the fastest first.
 std::vector<Split> measured(std::vector<Split> splits, const Scene& scene,
                             std::chrono::duration<double> duration);
 

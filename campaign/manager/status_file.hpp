@@ -9,8 +9,8 @@
 
 namespace eerie::manager {
 
-/// "<database>.status.json": what the manager at work says of itself to `eerie status`. A
-/// convenience: nothing is decided by it.
+/// The file "<database>.status.json", in which the manager at work reports to `eerie status`. No
+/// decision depends on it.
 class StatusFile {
  public:
   explicit StatusFile(const std::filesystem::path& database);
@@ -18,7 +18,7 @@ class StatusFile {
   StatusFile(const StatusFile&) = delete;
   StatusFile& operator=(const StatusFile&) = delete;
 
-  /// Writes it, every few seconds at most and where something has changed.
+  /// Writes the file, at most every few seconds and only after a change.
   void show(const CampaignView& view);
 
  private:
@@ -27,7 +27,7 @@ class StatusFile {
   std::chrono::steady_clock::time_point next_{};
 };
 
-/// The last view that a manager wrote; nothing where it wrote none. Counts of jobs are not in it:
+/// The last view that a manager wrote; nothing where there is none. It has no counts of jobs, since
 /// the database has them.
 std::optional<CampaignView> read_status_file(const std::filesystem::path& database);
 

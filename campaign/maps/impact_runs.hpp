@@ -7,21 +7,22 @@
 
 namespace eerie::maps {
 
-/// The results of a database as runs of the paper's impacts, and how many are left out and why.
+/// The results of a database as runs of the paper's impacts, and the numbers of results that are
+/// left out.
 struct ImpactRuns {
   std::vector<paper::ImpactRun> runs;
-  /// Of the runs: remnants will meet again. They count as they stand, as the paper's runs did when
-  /// their time was over.
+  /// The number of runs whose remnants will meet again. They count like others, as did the paper's
+  /// runs at the end of their time.
   std::size_t unsettled = 0;
-  std::size_t stale = 0;         ///< made by another solver version than the database's
-  std::size_t other_bodies = 0;  ///< radius, material or surroundings are not the paper's
+  std::size_t stale = 0;         ///< from another solver version than that of the database
+  std::size_t other_bodies = 0;  ///< with another radius, material or environment than the paper's
 };
 
-/// Bodies are the paper's when target, material and environment are the scene's defaults; friction
-/// angle and stiffness (A = B times a number) are free.
+/// Collects the runs of a filter. Bodies are the paper's where target, material and environment are
+/// the defaults of a scene; friction angle and stiffness (A and B times one number) are free.
 ImpactRuns impact_runs(const db::Connection& connection, const db::ResultFilter& filter);
 
-/// The runs by mass ratio, friction angle and settings; of the paper's stiffness only.
+/// Runs with the same mass ratio, friction angle and settings, and the paper's stiffness.
 struct ComparableRuns {
   double q = 1, phi_d_deg = 40;
   paper::RunSettings settings;
@@ -29,8 +30,7 @@ struct ComparableRuns {
 };
 std::vector<ComparableRuns> groups_of(const std::vector<paper::ImpactRun>& runs);
 
-/// What is to be known of the runs: unsettled ones, and results left out; empty where there is
-/// nothing.
+/// A remark about unsettled runs and results that are left out; empty where there are none.
 std::string remark(const ImpactRuns& runs);
 
 }  // namespace eerie::maps

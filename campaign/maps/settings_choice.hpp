@@ -8,11 +8,11 @@
 
 namespace eerie::maps {
 
-/// One line for each of these settings of a database: the option that chooses it, --fidelity NAME
-/// or --settings N, and in which fields it differs from the others.
+/// One line for each of these settings of a database. It has the option that chooses them,
+/// --fidelity NAME or --settings N, and the fields that differ from the others.
 std::string settings_choices(const db::Connection& connection, const std::set<std::int64_t>& ids);
 
-/// Throws InputError with these lines where there is more than one.
+/// Throws InputError with these lines where there are several settings.
 void require_one_settings(const db::Connection& connection, const std::set<std::int64_t>& ids);
 
 }  // namespace eerie::maps

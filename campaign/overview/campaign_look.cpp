@@ -50,9 +50,9 @@ CampaignLook look_at(const std::filesystem::path& database) {
     look.silent = manager::silent_jobs(connection, look.folder);
     constexpr std::uintmax_t little = 1 << 20;
     look.no_room =
-        manager::DiskGuard({std::filesystem::absolute(database).parent_path(), look.folder.root},
-                           little)
-            .complaint(manager::DiskGuard::Clock::now());
+        manager::SpaceGuard({std::filesystem::absolute(database).parent_path(), look.folder.root},
+                            little)
+            .complaint(manager::SpaceGuard::Clock::now());
   }
   return look;
 }

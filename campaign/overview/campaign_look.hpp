@@ -14,16 +14,17 @@
 
 namespace eerie::overview {
 
-/// What there is to say of a database at one moment.
+/// The state of a campaign at one moment.
 struct CampaignLook {
   std::vector<db::SweepStatus> sweeps;
   std::vector<db::FailureGroup> failures;
   db::Speed speed;
   std::optional<std::string> holder;
-  std::optional<manager::CampaignView> at_work;  ///< as the manager says
+  std::optional<manager::CampaignView> at_work;  ///< reported by the manager
   std::vector<manager::Silence> silent;
   job_folder::JobFolder folder;
-  std::optional<std::string> no_room = {};  ///< asked here: a manager on a full disk cannot say it
+  /// Found here, since a manager on a full disk cannot report it.
+  std::optional<std::string> no_room = {};
 };
 
 CampaignLook look_at(const std::filesystem::path& database);
@@ -35,7 +36,7 @@ nlohmann::json to_json(const CampaignLook& look, const std::filesystem::path& da
 /// [{"kind", "jobs", "hash", "message"}].
 nlohmann::json to_json(const std::vector<db::FailureGroup>& failures);
 
-/// A line for each sweep, for people.
+/// A table with one row per sweep, for people.
 text::Table table_of_sweeps(const CampaignLook& look);
 
 }  // namespace eerie::overview

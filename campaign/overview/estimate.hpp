@@ -8,16 +8,16 @@
 
 namespace eerie::overview {
 
-/// What jobs would cost on the machine of a database.
+/// The cost of jobs on the machine of a database.
 struct Estimate {
-  std::size_t unknown = 0;  ///< jobs that the database does not hold
-  double core_hours = 0;    ///< of all
+  std::size_t unknown = 0;  ///< jobs that the database does not have
+  double core_hours = 0;    ///< for all jobs
   double speed = 0;         ///< particle-steps per second and core
-  bool measured = false;    ///< in the database; else assumed
+  bool measured = false;  ///< whether the database has measured the speed; it is assumed otherwise
 };
 Estimate estimate(const std::filesystem::path& database, const std::vector<db::NewJob>& jobs);
 
-/// A row for each job.
+/// A table with one row per job.
 text::Table table_of_jobs(const std::vector<db::NewJob>& jobs);
 
 }  // namespace eerie::overview

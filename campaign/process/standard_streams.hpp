@@ -5,21 +5,23 @@
 
 namespace eerie::process {
 
-/// What is behind a file descriptor that people may read.
+/// The terminal, if any, behind a file descriptor.
 struct Terminal {
   bool is_one = false;
-  bool is_dumb = true;    ///< obeys no escape sequences
-  std::size_t width = 0;  ///< columns; 0: as many as a line needs
+  bool is_dumb = true;    ///< ignores escape sequences
+  std::size_t width = 0;  ///< columns; 0: no limit
 };
 
-/// COLUMNS goes before what the terminal says of its width. TERM=dumb, or none, is a dumb one.
+/// The terminal at a descriptor. The variable COLUMNS has precedence over the terminal's own width.
+/// With TERM=dumb, or without TERM, the terminal is dumb.
 Terminal terminal_at(int descriptor);
 
-/// Writes all of it. Returns 0, or the errno of what went wrong.
+/// Writes the whole text. Returns 0, or the errno of the failure.
 int write_all(int descriptor, std::string_view text);
 
-/// Opens what of standard input, output and error is closed, so that no file gets their numbers
-/// and what is printed is not written into it; writing to a closed pipe is an error, not an end.
+/// Opens standard input, output and error where they are closed, so that no other file gets their
+/// numbers and receives what is printed. From then on a write to a closed pipe is an error and does
+/// not end the process.
 void guard_standard_streams();
 
 }  // namespace eerie::process

@@ -8,7 +8,8 @@
 
 namespace eerie::queries {
 
-/// Which rows of a view: the conditions of `query` and of what else chooses among impacts.
+/// The conditions that choose rows of a view, for `query` and other commands that choose among
+/// impacts.
 struct Filter {
   std::optional<double> q, phi_d_deg;
   std::string v, theta;  ///< "LO:HI" or one number; empty: all
@@ -17,17 +18,20 @@ struct Filter {
   std::vector<std::string> where;  ///< "COLUMN=..."
 };
 
-/// The conditions and sweeps of a query of `view`. Throws InputError for what it does not have.
+/// A query of `view` with these conditions and sweeps. Throws InputError for columns and sweeps
+/// that do not exist.
 db::ViewQuery filtered(const db::Connection& connection, db::View view, const Filter& filter);
 
-/// "b_over_a=0:0.3", "class=hit*,erosion", "period_h=none", "seed!=1". Throws InputError.
+/// A condition from its text: "b_over_a=0:0.3", "class=hit*,erosion", "period_h=none", "seed!=1".
+/// Throws InputError.
 db::Condition parse_condition(const std::string& text);
 
-/// "rank,-mass_kg" as sort keys. Columns that `known` lacks are an InputError, as in the others.
+/// Sort keys from "rank,-mass_kg". Throws InputError for columns that are not in `known`.
 std::vector<db::SortKey> parse_sort(const std::string& text, db::View view,
                                     const std::vector<db::ViewColumn>& known);
 
-/// "rank,mass_kg"; empty: none named.
+/// Names of columns from "rank,mass_kg"; none for an empty text. Throws InputError for columns that
+/// are not in `known`.
 std::vector<std::string> parse_columns(const std::string& text, db::View view,
                                        const std::vector<db::ViewColumn>& known);
 

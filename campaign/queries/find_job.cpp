@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "campaign/job_folder/snapshot_files.hpp"
 #include "campaign/queries/numbers.hpp"
 #include "db/jobs/jobs.hpp"
 #include "solver/base/error.hpp"
@@ -62,6 +63,11 @@ job_folder::JobDirectory folder_of(const std::filesystem::path& database, const 
   if (is_folder(word)) return {word};
   const db::Connection connection(database, db::Access::read);
   return job_folder::job_folder(connection).of(find_job(connection, word).hash);
+}
+
+std::filesystem::path snapshot_of(const std::filesystem::path& database, const std::string& word) {
+  if (std::filesystem::path(word).extension() == ".hdf5") return word;
+  return job_folder::snapshot_files(folder_of(database, word).path).back().path;
 }
 
 }  // namespace eerie::queries

@@ -12,7 +12,7 @@
 
 namespace eerie::queries {
 
-/// Jobs by their hashes, their sweep and their points.
+/// A choice of jobs by their hashes, their sweep and their points.
 struct JobChoice {
   std::vector<std::string> jobs;
   std::optional<std::string> sweep;
@@ -20,16 +20,21 @@ struct JobChoice {
   std::string v, theta;  ///< "LO:HI" or one number; empty: all
   bool all = false;
 };
-/// Throws InputError for a word that is no job, and where nothing is selected without --all.
+/// The selection of a choice. Throws InputError for a word that is no hash, and where a choice
+/// without conditions lacks --all.
 db::Selection selection_of(const JobChoice& choice, const std::string& command);
 
 /// The job whose hash begins with `word`. Throws InputError where there is none, or several.
 db::Job find_job(const db::Connection& connection, const std::string& word);
 
-/// Whether a word that names a job is a folder, such as `eerie solve --out` makes.
+/// Whether a word is a folder, such as `eerie solve --out` makes, and no hash.
 bool is_folder(const std::string& word);
 
-/// The job directory of the job whose hash begins with `word`, or the folder that it names.
+/// The directory of the job whose hash begins with `word`, or the folder of that name.
 job_folder::JobDirectory folder_of(const std::filesystem::path& database, const std::string& word);
+
+/// The snapshot that `word` names: a file (.hdf5), or the last snapshot of folder_of(). Throws
+/// InputError where there is none.
+std::filesystem::path snapshot_of(const std::filesystem::path& database, const std::string& word);
 
 }  // namespace eerie::queries

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "campaign/sweeps/scene_field.hpp"
@@ -49,6 +50,25 @@ double parse_duration(const std::string& text, const std::string& option) {
   throw InputError(
       fmt::format("{} {}: must be a positive time with its unit, s, min, h or d; for example {} 2h",
                   option, text, option));
+}
+
+std::vector<double> parse_times(const std::string& text, const std::string& option,
+                                std::size_t most) {
+  std::vector<double> times;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    word.erase(0, word.find_first_not_of(' '));
+    const std::optional<double> time = finite_number(word);
+    if (!time || *time < 0)
+      throw InputError(fmt::format(
+          "{} {}: must be times in s with commas between them; for example {} 0,5000,10000", option,
+          text, option));
+    times.push_back(*time);
+  }
+  if (times.size() > most)
+    throw InputError(
+        fmt::format("{}: {} times are too many, {} are the most", option, times.size(), most));
+  return times;
 }
 
 db::Range parse_range(const std::string& text, const std::string& option) {

@@ -11,20 +11,20 @@
 
 namespace eerie::results {
 
-/// A run of a study, which has a `scene`, with its result.
+/// A run of a study, which has a member `scene`, with its result.
 template <class Run>
 struct RunWithResult {
   Run run;
-  db::ResultRow row;                   ///< of a known run: hash and result alone
-  std::vector<db::Remnant> remnants;   ///< from the most massive on
+  db::ResultRow row;                   ///< has only hash and result for a known run
+  std::vector<db::Remnant> remnants;   ///< the most massive first
   std::optional<double> core_seconds;  ///< processor time, s
-  /// The remnants when what is published was measured; empty where that is not known.
+  /// The remnants at the time of the published measurement; empty where they are not known.
   std::vector<db::Remnant> at_published = {};
-  std::optional<double> published_at_s = {};  ///< the time that they are of
+  std::optional<double> published_at_s = {};  ///< that time
 };
 
-/// Those of `runs` that the database (none: null) has a result of, and those that are known
-/// besides.
+/// The runs among `runs` whose result is in the database (which may be null) or among the known
+/// runs.
 template <class Run>
 std::vector<RunWithResult<Run>> finished_runs(const std::vector<Run>& runs,
                                               const db::Connection* database,

@@ -8,12 +8,12 @@
 
 namespace eerie::results {
 
-/// The attempts at a job, for programs and for people.
+/// A table of the attempts at a job, for programs and for people.
 text::Table table_of_attempts(const std::vector<db::AttemptRow>& attempts);
 
-/// All that is known of a job: {"hash", "state", "wanted", "priority", "crashes", "wall_limit_s",
+/// Everything about a job: {"hash", "state", "wanted", "priority", "crashes", "wall_limit_s",
 /// "sweeps", "scene", "progress", "result", "failure", "attempts", "directory", "files": [{"path",
-/// "bytes"}]}; null where there is nothing.
+/// "bytes"}]}. Missing parts are null.
 nlohmann::json job_report(const db::Connection& connection, const db::Job& job);
 
 }  // namespace eerie::results

@@ -8,13 +8,13 @@
 
 namespace eerie::results {
 
-/// Results for people. Parameters that all rows share stand above.
+/// A table of results for people. Parameters that all rows share stand above it.
 text::Table results_table(const std::vector<db::ResultRow>& rows);
 
-/// What the marks mean that occur in it, a line each.
+/// The meanings of the marks in that table, one line each.
 std::string legend_of(const std::vector<db::ResultRow>& rows);
 
-/// That results are not to be trusted, in one sentence; empty where all are.
+/// A sentence that warns of results that cannot be trusted; empty where all can.
 std::string drift_warning(const std::vector<db::ResultRow>& rows);
 
 }  // namespace eerie::results

@@ -10,21 +10,20 @@
 
 namespace eerie::results {
 
-/// What the table of a study's runs (`runs.csv` of a convergence study, `-runs.csv` of a chart)
-/// tells of one of them.
+/// A run in the table of a study (`runs.csv` of a convergence study, `-runs.csv` of a cost study).
 struct RunRecord {
   db::Result result;
-  std::vector<db::Remnant> remnants;  ///< those with columns, from the most massive on
+  std::vector<db::Remnant> remnants;  ///< the remnants that have columns, the most massive first
   std::optional<double> core_seconds;
-  std::vector<db::Remnant> at_published;  ///< the same when what is published was measured,
-  std::optional<double> published_at_s;   ///< that is, so long after the start
+  std::vector<db::Remnant> at_published;  ///< the remnants at the time of the published measurement
+  std::optional<double> published_at_s;   ///< that time, s after the start
 };
 
-/// By the hash of the run's scene.
+/// Runs by the hash of their scene.
 using RunRecords = std::map<std::string, RunRecord>;
 
-/// Runs that are known from such tables, so that nobody has to repeat them; of a run that stands in
-/// several the last. Throws InputError naming file, line, column, value and mend.
+/// Reads the runs of such tables, which need no repetition. Where several tables contain a run, the
+/// last one counts. Throws InputError, which names file, line, column, value and mend.
 RunRecords read_run_records(const std::vector<std::filesystem::path>& tables);
 
 }  // namespace eerie::results

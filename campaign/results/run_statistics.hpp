@@ -10,11 +10,12 @@
 
 namespace eerie::results {
 
-/// Runs of one impact with the same settings and several seeds.
+/// The runs of one impact with the same settings and several seeds.
 template <class Run>
 using RunGroup = std::vector<const RunWithResult<Run>*>;
 
-/// Of the runs that have the quantity; `quantity` gives an optional number of a run.
+/// The statistics of a quantity over the runs that have it. `quantity` returns an optional number
+/// for a run.
 template <class Run, class Quantity>
 statistics::Ensemble ensemble_of(const RunGroup<Run>& runs, Quantity&& quantity) {
   std::vector<double> values;
@@ -23,7 +24,7 @@ statistics::Ensemble ensemble_of(const RunGroup<Run>& runs, Quantity&& quantity)
   return statistics::ensemble(values);
 }
 
-/// The part of the runs that `holds` is true of.
+/// The fraction of the runs for which `holds` is true.
 template <class Run, class Predicate>
 double fraction_of(const RunGroup<Run>& runs, Predicate&& holds) {
   const auto n =
@@ -31,9 +32,9 @@ double fraction_of(const RunGroup<Run>& runs, Predicate&& holds) {
   return static_cast<double>(n) / static_cast<double>(runs.size());
 }
 
-// Quantities of a finished run, for ensemble_of().
+// These are quantities of a finished run, for ensemble_of().
 
-/// Nothing where nothing remained.
+/// Nothing where no remnant exists.
 inline auto of_largest(std::optional<double> db::Remnant::*member) {
   return [member](const auto& run) -> std::optional<double> {
     return run.remnants.empty() ? std::nullopt : run.remnants.front().*member;
@@ -46,7 +47,7 @@ inline constexpr auto core_seconds_of = [](const auto& run) -> std::optional<dou
   return run.core_seconds;
 };
 
-/// "hit-and-run 1; perfect-merging 5".
+/// The number of runs of each class: "hit-and-run 1; perfect-merging 5".
 std::string count_classes(const std::vector<std::string>& classes);
 template <class Run>
 std::string classes_of(const RunGroup<Run>& runs) {
@@ -55,19 +56,19 @@ std::string classes_of(const RunGroup<Run>& runs) {
   return count_classes(classes);
 }
 
-/// Fragments lighter than this, over all mass, do not make a run one with an EER: with few
-/// particles they would not be seen at all.
+/// Elongated fragments lighter than this, in units of all mass, do not count as EERs. Runs with few
+/// particles would not resolve them.
 inline constexpr double eer_least_mass = 0.05;
 
-/// Which remnants are asked whether one of them is extremely elongated.
+/// The set of remnants in which P(EER) looks for an extremely elongated one.
 enum class EerAmong {
   largest,
-  three_largest,  ///< those of at least eer_least_mass
+  three_largest,  ///< the three largest of at least eer_least_mass
   any,
 };
 bool has_eer(const db::Result& result, const std::vector<db::Remnant>& remnants, EerAmong among);
 
-/// P(EER): the part of the runs that have one among those remnants.
+/// P(EER): the fraction of the runs with an EER in that set.
 template <class Run>
 double p_eer(const RunGroup<Run>& runs, EerAmong among) {
   return fraction_of(runs, [among](const RunWithResult<Run>& run) {
@@ -75,14 +76,15 @@ double p_eer(const RunGroup<Run>& runs, EerAmong among) {
   });
 }
 
-// Columns of a table of runs: mass, axes and period of the three largest remnants. Empty fields:
-// there is no such remnant, or it does not spin; core_s of a run that lost a machine on its way.
+// These are columns of a table of runs: mass, axes and period of the three largest remnants. A
+// field is empty where there is no such remnant or where it does not spin. core_s is empty for a
+// run that lost a machine on its way.
 
-/// Their names, which end with `when`; each behind a comma.
+/// Their names, which end with `when`, with a comma before each.
 std::string remnant_header(const char* when);
 std::string remnant_fields(const std::vector<db::Remnant>& remnants);
 
-/// The last columns of such a table, and what they hold of a run.
+/// The last columns of such a table, and their values for a run.
 inline constexpr const char* run_end_header =
     ",n_eer,dL_over_L,particle_steps,core_s,solver_version,hash\n";
 std::string run_end_fields(const db::ResultRow& row, std::optional<double> core_seconds);

@@ -9,15 +9,16 @@
 
 namespace eerie::results {
 
-/// Of the impacts that a query of results leaves, those of one particle number and settings
-/// together.
+/// The size distributions of the impacts that a query of results finds, one for each particle
+/// number and settings.
 std::vector<figures::SizeDistribution> size_distributions(const db::Connection& connection,
                                                           const db::ViewQuery& query);
 
-/// Every step of each.
+/// A table of all steps of each distribution.
 text::Table table_of_steps(const std::vector<figures::SizeDistribution>& all);
 
-/// Remnants per impact at round masses down to the finest limit; null below that of a column.
+/// A table of remnants per impact at round masses, down to the finest limit. A value is null below
+/// the limit of its column.
 text::Table table_of_counts(const std::vector<figures::SizeDistribution>& all);
 
 }  // namespace eerie::results

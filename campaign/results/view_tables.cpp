@@ -66,7 +66,7 @@ constexpr Looked map_columns[] = {parameter("q", "q"),
                                   {"b_over_a_max", "most", "{:.3f}", 1},
                                   {"m_lr_over_m_total", "M_lr/M", "{:.3f}", 1},
                                   {"period_h", "period h", "{:.2f}", 2},
-                                  {"p_eer", "p(EER)", "{:.2f}"}};
+                                  {"p_eer", "P(largest EER)", "{:.2f}"}};
 
 Column for_people(const Looked& looked) {
   Column column = text::shown(looked.header, looked.pattern);

@@ -5,15 +5,15 @@
 
 namespace eerie::results {
 
-/// Every column, for programs and for people, as it is named.
+/// A table of every column under its own name, for programs and for people.
 text::Table plain_table(const db::ViewRows& rows);
 
-/// Every column for programs; for people those of remnants and maps that they look at, under short
-/// names: results have results_table().
+/// A table of every column for programs. For people it has selected columns of remnants and maps
+/// under short names; results_table() shows results.
 text::Table short_table(const db::ViewRows& rows);
 
-/// {"name", "schema": {"fields": [{"name", "type", "unit", "description"}]}, "data": records}: a
-/// Tabular Data Resource, as pandas reads with orient="table".
+/// A Tabular Data Resource, which pandas reads with orient="table": {"name", "schema": {"fields":
+/// [{"name", "type", "unit", "description"}]}, "data": records}.
 nlohmann::json described(const db::ViewRows& rows);
 
 }  // namespace eerie::results

@@ -25,7 +25,7 @@ pictures::ColourScale common_scale(std::vector<pictures::ColourScale> scales, do
 }  // namespace
 
 RunPictures::RunPictures(const fs::path& folder, pictures::ParticleColour colour, bool cut)
-    : series_(job_folder::snapshot_series(folder)), scale_{colour, 0, 0}, cut_(cut) {
+    : snapshots_(job_folder::snapshot_files(folder)), scale_{colour, 0, 0}, cut_(cut) {
   if (colour != pictures::ParticleColour::depth) return;
   const fs::path first = job_folder::JobDirectory{folder}.first_snapshot();
   if (!fs::exists(first))
@@ -40,7 +40,7 @@ void RunPictures::choose_frame(const std::vector<std::size_t>& chosen, std::opti
   layouts_.clear();
   std::vector<pictures::ColourScale> scales;
   for (const std::size_t k : chosen) {
-    const io::Snapshot snapshot = io::read_snapshot(series_[k].path);
+    const io::Snapshot snapshot = io::read_snapshot(snapshots_[k].path);
     layouts_.push_back(pictures::layout_of(snapshot));
     scales.push_back(pictures::colour_scale(scale_.colour, view(snapshot)));
   }
@@ -52,7 +52,7 @@ pictures::PanelsFigure RunPictures::figure(const std::vector<std::size_t>& chose
                                            std::size_t first_layout) const {
   pictures::PanelsFigure figure{{}, frame_.width, scale_};
   for (std::size_t p = 0; p < chosen.size(); ++p) {
-    const io::Snapshot snapshot = io::read_snapshot(series_[chosen[p]].path);
+    const io::Snapshot snapshot = io::read_snapshot(snapshots_[chosen[p]].path);
     const pictures::Layout& layout = layouts_[first_layout + p];
     figure.panels.push_back(
         {snapshot.state.time,

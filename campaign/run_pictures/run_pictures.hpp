@@ -11,30 +11,31 @@
 
 namespace eerie::run_pictures {
 
-/// Pictures of the particles of one run, with a frame and a scale of colours that all share.
+/// Pictures of the particles of one run, which share a frame and a scale of colours.
 class RunPictures {
  public:
-  /// Throws InputError where the folder has no snapshot, or not the first for colours of depth.
+  /// Throws InputError where the folder has no snapshot, or where colours of depth lack the first
+  /// one.
   RunPictures(const std::filesystem::path& folder, pictures::ParticleColour colour, bool cut);
 
-  const std::vector<job_folder::SnapshotFile>& series() const { return series_; }
+  const std::vector<job_folder::SnapshotFile>& snapshots() const { return snapshots_; }
   const pictures::Frame& frame() const { return frame_; }
   const pictures::Layout& layout(std::size_t panel) const { return layouts_[panel]; }
 
-  /// Looks at the chosen snapshots once, for a frame (`width` in m, else as they need) that serves
-  /// them all and a scale that serves `part` of them: the instant of the impact must not darken the
-  /// rest of a film.
+  /// Chooses a frame that suits all chosen snapshots (`width` in m, or as wide as they need) and a
+  /// scale of colours that suits the fraction `part` of them. So the moment of impact does not
+  /// darken the rest of a film.
   void choose_frame(const std::vector<std::size_t>& chosen, std::optional<double> width,
                     double part);
 
-  /// A panel for each of the chosen snapshots; the first has the layout `first_layout`.
+  /// A figure with a panel for each chosen snapshot. The first panel has the layout `first_layout`.
   pictures::PanelsFigure figure(const std::vector<std::size_t>& chosen,
                                 std::size_t first_layout = 0) const;
 
  private:
   pictures::ParticleView view(const io::Snapshot& snapshot) const;
 
-  std::vector<job_folder::SnapshotFile> series_;
+  std::vector<job_folder::SnapshotFile> snapshots_;
   std::vector<double> depths_;
   std::vector<pictures::Layout> layouts_;
   pictures::ColourScale scale_;

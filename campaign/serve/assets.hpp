@@ -6,18 +6,18 @@
 
 namespace eerie::serve {
 
-/// A file of the page (campaign/serve/page), in the program since it was built.
+/// A file of the page (campaign/serve/page), which the build puts into the program.
 struct Asset {
   std::string_view name, text;
 };
 
 std::span<const Asset> assets();
-/// Nothing where there is no file of the name.
+/// The file of this name; nothing where there is none.
 const Asset* asset_named(std::string_view name);
 
-/// By the extension of its name.
+/// The media type, by the extension of the name.
 std::string_view type_of(const Asset& asset);
-/// A hash of its text in quotation marks: what browsers compare.
+/// A hash of the text in quotation marks, which browsers compare.
 std::string etag_of(const Asset& asset);
 
 }  // namespace eerie::serve

@@ -11,12 +11,12 @@
 
 namespace eerie::serve {
 
-/// Replies that hold until the database changes. However many ask for one at a time, it is made
-/// once.
+/// Replies that are valid until the database changes. A reply is made once, even if many ask for it
+/// at the same time.
 class Cache {
  public:
-  /// The reply of this key, made by `make` where the generation has none. What `make` throws goes
-  /// to all who wait for it.
+  /// The reply of this key. `make` makes it where this generation has none. Exceptions of `make`
+  /// reach all who wait for the reply.
   Reply reply(std::uint64_t generation, const std::string& key, const std::function<Reply()>& make);
 
  private:

@@ -13,8 +13,8 @@
 
 namespace eerie::serve {
 
-/// What changes in a campaign, told to everyone who listens. One thread looks, whatever the number
-/// of listeners: at the database's version twice a second, at what the manager says of itself, and
+/// Sends the changes of a campaign to all listeners. One thread looks for them, whatever the number
+/// of listeners: at the version of the database twice a second, at the status of the manager, and
 /// at the progress of running jobs while somebody listens.
 class Events {
  public:
@@ -23,14 +23,15 @@ class Events {
   Events(const Events&) = delete;
   Events& operator=(const Events&) = delete;
 
-  /// Rises with every change of the database that was seen; more slowly where replies are dear.
+  /// The generation, which rises with every change of the database that was seen, and less often
+  /// where replies are expensive.
   std::uint64_t generation() const { return generation_; }
 
-  /// Processor time that replies to this generation took. The next one comes so late that all
-  /// replies together take two per cent of a core, whoever asks how often.
+  /// Adds processor time that replies of this generation took. The next generation comes so late
+  /// that all replies together take two per cent of a core, however often they are requested.
   void note_cost(std::chrono::nanoseconds spent) { spent_ns_ += spent.count(); }
 
-  /// A listener; at most `most_listeners` at a time.
+  /// A listener. There are at most `most_listeners` at a time.
   class Listener {
    public:
     explicit Listener(Events& events) : events_(events) {}
@@ -38,20 +39,20 @@ class Events {
     Listener(const Listener&) = delete;
     Listener& operator=(const Listener&) = delete;
 
-    /// What is new since the last call, as server-sent events; a comment where nothing is for so
+    /// The news since the last call, as server-sent events; a comment where there are none for this
     /// long. Nothing once the events have ended.
     std::optional<std::string> next(std::chrono::milliseconds patience);
 
    private:
     friend class Events;
     Events& events_;
-    std::array<std::uint64_t, 3> seen_{};  ///< the number of the newest news of each kind
+    std::array<std::uint64_t, 3> seen_{};  ///< the number of the latest news of each kind
   };
   static constexpr int most_listeners = 64;
-  /// Null where there are too many already.
+  /// A new listener; null where there are too many.
   std::shared_ptr<Listener> listen();
 
-  /// Wakes all listeners for good.
+  /// Ends the events and wakes all listeners.
   void end();
 
  private:

@@ -7,16 +7,16 @@
 
 namespace eerie::serve {
 
-/// httplib's server on sockets that give up (socket_stream.hpp), with ports of its own.
+/// The server of httplib on sockets with limits (socket_stream.hpp), which binds its own ports.
 class GuardedServer : public httplib::Server {
  public:
   GuardedServer();
 
-  /// Binds to an address; port 0: any that is free. Returns the port. Throws EnvironmentError
-  /// naming address, port and mend.
+  /// Binds to an address. Port 0 means any free port. Returns the port. Throws EnvironmentError,
+  /// which names address, port and mend.
   int bind(const std::string& address, int port);
 
-  /// Ends what waits and what is written; listen_after_bind() returns.
+  /// Ends all connections, so that listen_after_bind() returns.
   void end();
 
  private:
@@ -25,7 +25,7 @@ class GuardedServer : public httplib::Server {
   std::atomic<bool> stopping_ = false;
 };
 
-/// Bytes of a sweep that is submitted, at most.
+/// The most bytes of a submitted sweep.
 inline constexpr std::size_t largest_body = 4 << 20;
 
 }  // namespace eerie::serve

@@ -7,27 +7,28 @@
 
 namespace eerie::serve {
 
-/// What stands behind the ? of an address.
+/// The parameters after the ? of an address.
 using Parameters = std::multimap<std::string, std::string>;
 
 /// The first value of a parameter; empty where there is none.
 std::string word(const Parameters& parameters, const std::string& name);
-/// Nothing where it is missing or empty. Throws InputError for what is no finite number.
+/// The number of a parameter; nothing where it is missing or empty. Throws InputError where it is
+/// no finite number.
 std::optional<double> number(const Parameters& parameters, const std::string& name);
-/// The same for whole numbers.
+/// The integer of a parameter, in the same way.
 std::optional<std::int64_t> whole_number(const Parameters& parameters, const std::string& name);
 
 struct Reply {
   int status = 200;
   std::string type = "application/json";
   std::string body = {};
-  std::string etag = {};       ///< names the content; empty: is not kept by browsers
-  std::string file_name = {};  ///< to be saved under; empty: to be shown
+  std::string etag = {};       ///< identifies the content; empty: browsers keep no copy
+  std::string file_name = {};  ///< name of the file to save; empty: browsers show the content
 };
 
-/// Text that is no UTF-8 is written with replacement characters.
+/// A reply of JSON. Bytes that are not UTF-8 become replacement characters.
 Reply json_reply(const nlohmann::json& document, int status = 200);
-/// {"error": why}
+/// A reply {"error": reason}.
 Reply refusal(int status, const std::string& why);
 
 }  // namespace eerie::serve

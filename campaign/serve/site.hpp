@@ -10,13 +10,13 @@
 
 namespace eerie::serve {
 
-/// What there is to be read at which address: the page, its files, and JSON of a database. Every
-/// address opens a connection of its own, which reads and cannot write.
+/// The content of all addresses: the page, its files, and JSON of a database. Every request opens
+/// its own connection, which cannot write.
 class Site {
  public:
   Site(std::filesystem::path database, bool read_only, Events& events);
 
-  /// Never throws: what goes wrong is a reply with {"error": ...}.
+  /// Never throws. Errors become a reply {"error": ...}.
   Reply answer(const std::string& path, const Parameters& parameters);
 
  private:

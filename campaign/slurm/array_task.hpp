@@ -5,17 +5,16 @@
 namespace eerie::slurm {
 
 struct ArrayTaskOptions {
-  std::filesystem::path batch;  ///< its folder
+  std::filesystem::path batch;  ///< folder of the batch
   int index = 0;                ///< SLURM_ARRAY_TASK_ID
   int threads = 1;              ///< SLURM_CPUS_PER_TASK
 };
 
-/// Index and threads as Slurm tells them. Throws InputError where it does not.
+/// Reads index and threads from Slurm's environment. Throws InputError where they are missing.
 ArrayTaskOptions array_task_options(std::filesystem::path batch);
 
-/// What runs on a node: the jobs of one array task, one after another, each as a worker of its
-/// own. On USR1, TERM or INT the worker writes its checkpoint and no further one is started.
-/// Returns the exit code.
+/// Runs the jobs of one array task on a node, one after another, each with its own worker. On USR1,
+/// TERM or INT the worker writes its checkpoint, and no further one starts. Returns the exit code.
 int run_array_task(const ArrayTaskOptions& options);
 
 }  // namespace eerie::slurm

@@ -11,23 +11,24 @@
 
 namespace eerie::slurm {
 
-/// A job's place in a batch.
+/// A job of a batch.
 struct BatchJob {
   std::int64_t job = 0;
   job_folder::JobDirectory directory;
 };
 
-/// One submission: an array job whose array tasks run some jobs each, one after another. Its
-/// folder is all that either side needs to know of it, and lives as long as the batch: an array
-/// task that starts without it does nothing.
+/// One submission: an array job whose array tasks each run some jobs, one after another. Its folder
+/// has everything that either side needs, and lives as long as the batch. An array task that starts
+/// without the folder does nothing.
 struct Batch {
-  std::filesystem::path folder;  ///< its last part is the batch's id
+  std::filesystem::path folder;  ///< its last part is the id of the batch
   std::vector<std::vector<BatchJob>> array;
-  std::optional<std::int64_t> slurm_id;         ///< nothing: not known yet
-  std::filesystem::file_time_type submitted{};  ///< older news in a job directory are another's
+  std::optional<std::int64_t> slurm_id;  ///< nothing while it is not known
+  /// Older files in a job directory belong to another batch.
+  std::filesystem::file_time_type submitted{};
 
   std::string id() const { return folder.filename().string(); }
-  std::string name() const { return "eerie-" + id(); }  ///< of the job in Slurm
+  std::string name() const { return "eerie-" + id(); }  ///< the name of the job in Slurm
   std::filesystem::path manifest() const { return folder / "manifest.json"; }
   std::filesystem::path script() const { return folder / "batch.sh"; }
   std::filesystem::path slurm_id_file() const { return folder / "slurm_id"; }
@@ -37,32 +38,34 @@ struct Batch {
   }
 };
 
-/// The folders of batches beside the job directories.
+/// The folders of batches, beside the job directories.
 std::filesystem::path batches_folder(const std::filesystem::path& jobs_folder);
 
-/// A new id: in the order of time, and no two alike.
+/// Makes a new id. Ids are unique and sort by time.
 std::string new_batch_id();
 
 /// Makes the folder with manifest and script, before the submission.
 void install_batch(Batch& batch, const std::filesystem::path& program);
 
-/// Notes under which id Slurm knows the batch.
+/// Stores the id of the batch in Slurm.
 void install_slurm_id(Batch& batch, std::int64_t id);
 
-/// Nothing where the folder holds no readable manifest: it was never submitted, or is over.
+/// Reads a batch. Nothing where the folder has no readable manifest, so that the batch was never
+/// submitted, or is over.
 std::optional<Batch> read_batch(const std::filesystem::path& folder);
 
-/// Jobs that this batch no longer answers for, though its array task may start again.
+/// Stores the jobs for which this batch is no longer responsible, although its array task may start
+/// again; reads them.
 void install_released(const Batch& batch, const std::set<std::int64_t>& jobs);
 std::set<std::int64_t> read_released(const Batch& batch);
 
-/// Removes the folder, manifest first.
+/// Removes the folder, the manifest first.
 void remove_batch(const Batch& batch);
 
-/// The manifest's own text: "version", and "array": a list of lists of {"job", "directory"}.
+/// The text of the manifest: "version", and "array" with lists of {"job", "directory"}.
 std::string manifest_text(const Batch& batch);
 
-/// "#!/bin/sh", and the program in the shell's place so that Slurm's signals reach it.
+/// The script of an array task. The program replaces the shell, so that Slurm's signals reach it.
 std::string batch_script(const std::filesystem::path& program, const std::filesystem::path& folder);
 
 }  // namespace eerie::slurm

@@ -9,38 +9,39 @@
 
 namespace eerie::slurm {
 
-/// sbatch's command line for a batch.
+/// The command line of sbatch for a batch.
 std::vector<std::string> sbatch_words(const SlurmProfile& profile, const Batch& batch);
 
-/// How a submission went.
+/// The outcome of a submission.
 struct Submission {
   enum class Kind {
     accepted,
-    refused,  ///< certainly not in the queue
-    unknown,  ///< may be in the queue: only squeue can tell, later
+    refused,  ///< it is certainly not in the queue
+    unknown,  ///< it may be in the queue; only squeue can say that later
   };
   Kind kind = Kind::refused;
   std::int64_t id = 0;
-  std::string reason = {};  ///< where it was not accepted
+  std::string reason = {};  ///< exists where it was not accepted
 };
 
-/// Slurm, as much of it as is needed: sbatch, squeue, scancel and scontrol. No accounting.
+/// The needed parts of Slurm: sbatch, squeue, scancel and scontrol, without accounting.
 class Cluster {
  public:
   Cluster(SlurmProfile profile, Commands& commands);
 
-  /// sbatch may fail after its job was taken, so a failed one is looked up by its name.
+  /// Submits a batch. sbatch may fail after Slurm has taken the job, so a failed submission is
+  /// looked up by its name.
   Submission submit(const Batch& batch);
 
-  /// The array jobs of these names in the queue; nothing where squeue does not answer, which says
+  /// The array jobs of these names in the queue. Nothing where squeue does not answer, which says
   /// nothing about the jobs.
   std::optional<Queue> queue(const std::vector<std::string>& names);
 
-  /// Cancels these array tasks; where `pending_only`, those that have not started. False where
-  /// Slurm did not take it.
+  /// Cancels these array tasks, or with `pending_only` those that have not started. Returns false
+  /// where Slurm did not accept it.
   bool cancel(std::int64_t id, const std::vector<int>& indices, bool pending_only);
 
-  /// Array tasks that one job may have.
+  /// The most array tasks of one job.
   std::size_t array_size();
 
  private:

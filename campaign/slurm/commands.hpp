@@ -6,29 +6,29 @@
 
 namespace eerie::slurm {
 
-/// What a program left behind.
+/// The end of a program, with its output.
 struct CommandEnd {
-  int exit_code = -1;      ///< -1: it never ran to an end of its own
-  bool timed_out = false;  ///< it was killed; what it did until then is not known
+  int exit_code = -1;      ///< -1 where it did not end by itself
+  bool timed_out = false;  ///< it was killed, and what it has done is not known
   std::string out, err;
 
   bool ok() const { return exit_code == 0; }
-  /// Its last words, for people.
+  /// The end of its output, for people.
   std::string complaint() const;
 };
 
-/// The outside world of the Slurm scheduler.
+/// Runs the programs of Slurm; tests replace it.
 class Commands {
  public:
   virtual ~Commands() = default;
 
-  /// Runs words[0], looked up in PATH, without a shell. A program that cannot be started is a
-  /// CommandEnd too, whose `err` says why.
+  /// Runs words[0], found in PATH, without a shell. A program that cannot be started gives a
+  /// CommandEnd, too, with the reason in `err`.
   virtual CommandEnd run(const std::vector<std::string>& words,
                          std::chrono::milliseconds limit) = 0;
 };
 
-/// Child processes of this one.
+/// Runs programs as child processes.
 class ChildCommands : public Commands {
  public:
   CommandEnd run(const std::vector<std::string>& words, std::chrono::milliseconds limit) override;

@@ -9,25 +9,25 @@
 
 namespace eerie::slurm {
 
-/// A batch that is not over, and what was seen of it. Concludes from files what became of a job,
-/// and from the queue only that nobody works on it any more.
+/// A batch that is not over, and the observations about it. Files decide what became of a job; the
+/// queue only shows that nobody works on it any more.
 class LiveBatch {
  public:
   struct Job {
     BatchJob place;
     bool over = false;
-    bool stopping = false;      ///< we asked for it
-    bool outcome_seen = false;  ///< result or failure is there, ended.json not yet
+    bool stopping = false;      ///< whether this manager has asked it to stop
+    bool outcome_seen = false;  ///< whether its result or failure exists, but not yet ended.json
   };
   struct ArrayTask {
     std::vector<Job> jobs;
-    int absences = 0;  ///< successive answers of squeue without it
+    int absences = 0;  ///< number of successive answers of squeue without it
     bool gone = false;
     bool pending = true;
-    std::optional<manager::StopKind> cancel = {};  ///< still to be said to Slurm
+    std::optional<manager::StopKind> cancel = {};  ///< a cancellation that Slurm does not know yet
   };
 
-  /// Of a submission just made, or of one that another manager left behind.
+  /// A new submission, or one that another manager left.
   LiveBatch(Batch batch, bool started_here);
 
   const Batch& batch() const { return batch_; }
@@ -38,18 +38,18 @@ class LiveBatch {
 
   void note_slurm_id(std::int64_t id);
 
-  /// Takes an answer of squeue: what it says of this batch, or nullptr where that is nothing.
+  /// Takes what an answer of squeue says about this batch, or nullptr where that is nothing.
   void see(const QueuedArray* queued);
 
-  /// Jobs that are over since the last call, as their files tell. `queue_known`: whether the last
-  /// question to squeue was answered.
+  /// The jobs that have ended since the last call, by their files. `queue_known` says whether
+  /// squeue has answered the last question.
   std::vector<manager::WorkerEnd> newly_over(bool queue_known);
 
-  /// Leaves a stop file for each job of this batch in one of these directories.
+  /// Writes a stop file for each job of this batch in one of these directories.
   void stop(const std::unordered_set<std::string>& directories, manager::StopKind kind);
 
-  /// Array tasks that Slurm still has to be told to cancel, by index: with_checkpoint those that
-  /// wait, for a stop file reaches the others; at_once all that the queue holds.
+  /// The indices of array tasks that Slurm must still cancel. With with_checkpoint these are the
+  /// waiting ones, since a stop file reaches the others; with at_once all that are in the queue.
   std::vector<int> to_cancel(manager::StopKind kind) const;
   void cancelled(const std::vector<int>& indices);
 
@@ -60,10 +60,10 @@ class LiveBatch {
 
   Batch batch_;
   bool started_here_;
-  bool ever_seen_;  ///< Slurm has certainly known it
+  bool ever_seen_;  ///< Slurm has known it with certainty
   std::vector<ArrayTask> array_;
   std::set<std::int64_t> released_;
-  std::size_t released_noted_;  ///< how many of them stand in the file
+  std::size_t released_noted_;  ///< how many of them are in the file
 };
 
 }  // namespace eerie::slurm

@@ -9,8 +9,8 @@
 
 namespace eerie::slurm {
 
-/// How jobs are submitted to a cluster: profile.schema.json says what each field means. An empty
-/// text leaves the choice to the cluster.
+/// The options of submissions to a cluster. profile.schema.json gives the meaning of each field. An
+/// empty text leaves the choice to the cluster.
 struct SlurmProfile {
   std::string partition, account, qos, constraint, memory;
   std::optional<std::chrono::seconds> time_limit = {};
@@ -23,12 +23,12 @@ struct SlurmProfile {
   double poll_interval_s = 10;
 };
 
-/// Throws InputError naming field, value, what is allowed and the mend.
+/// Reads a profile. Throws InputError, which names field, value, the allowed values and the mend.
 SlurmProfile parse_slurm_profile(const nlohmann::json& given, const std::string& where);
 SlurmProfile load_slurm_profile(const std::filesystem::path& path);
 
-/// A time limit as sbatch takes it ("90", "90:00", "1:30:00", "2-12", "2-12:30", "2-12:30:00"), or
-/// nothing where it is none.
+/// The seconds of a time limit in a form of sbatch ("90", "90:00", "1:30:00", "2-12", "2-12:30",
+/// "2-12:30:00"); nothing for other texts.
 std::optional<std::chrono::seconds> parse_time_limit(const std::string& text);
 
 }  // namespace eerie::slurm

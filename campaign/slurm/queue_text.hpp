@@ -9,32 +9,32 @@
 
 namespace eerie::slurm {
 
-/// The job id in what `sbatch --parsable` prints, "1234" or "1234;cluster"; nothing where there is
-/// none. Lines before the last are a site's greetings.
+/// The job id in the output of `sbatch --parsable`, "1234" or "1234;cluster"; nothing where there
+/// is none. Lines before the last are greetings of a site.
 std::optional<std::int64_t> submitted_id(std::string_view text);
 
-/// What squeue says of one array job.
+/// One array job in the output of squeue.
 struct QueuedArray {
   std::string name;
-  std::map<int, std::string> states = {};  ///< index -> Slurm's word, known or not
-  bool more = false;  ///< a line could not be read to its end: any index may be in the queue
+  std::map<int, std::string> states = {};  ///< index -> state in Slurm's word, which may be unknown
+  bool more = false;  ///< a line was incomplete, so any index may be in the queue
 
   bool contains(int index) const { return more || states.contains(index); }
 };
 
-/// Array jobs by their id.
+/// The array jobs by their id.
 using Queue = std::map<std::int64_t, QueuedArray>;
 
-/// squeue's option -o, and the reading of it: "17_4|RUNNING|eerie-..." or, where squeue does not
-/// expand an array, "17_[5-9,12%2]|PENDING|eerie-...". No word for a state is an error: whatever
-/// stands in the queue is still there.
+/// The option -o of squeue, and the function that reads its output: "17_4|RUNNING|eerie-..." or,
+/// where squeue does not expand an array, "17_[5-9,12%2]|PENDING|eerie-...". Every word for a state
+/// is accepted, since anything in the queue still exists.
 inline constexpr const char* queue_format = "%i|%T|%j";
 Queue parse_queue(std::string_view text);
 
-/// {3, 4, 5, 9} -> "3-5,9", as sbatch and scancel take indices.
+/// Indices in the form of sbatch and scancel: "3-5,9" for {3, 4, 5, 9}.
 std::string index_ranges(const std::vector<int>& sorted);
 
-/// MaxArraySize in what `scontrol show config` prints.
+/// MaxArraySize in the output of `scontrol show config`.
 std::optional<int> max_array_size(std::string_view config);
 
 }  // namespace eerie::slurm

@@ -11,26 +11,26 @@
 
 namespace eerie::slurm {
 
-/// Workers as array tasks of a Slurm cluster (docs/slurm.md). All that is known of a submission
-/// stands in its folder, written before sbatch is called, so that a manager which was killed at
-/// any instant finds its jobs again and submits none twice.
+/// Runs workers as array tasks of a Slurm cluster (docs/slurm.md). The folder of a submission has
+/// everything about it and is written before sbatch is called. So a manager that was killed at any
+/// instant finds its jobs again and submits none twice.
 class SlurmScheduler : public manager::Scheduler {
  public:
-  /// Takes up the batches that an earlier manager left in `jobs_folder`, which nodes must see
-  /// under the same path. `program`: the eerie that nodes run.
+  /// Takes over the batches that an earlier manager left in `jobs_folder`, which nodes must see
+  /// under the same path. `program` is the eerie that nodes run.
   SlurmScheduler(SlurmProfile profile, const std::filesystem::path& jobs_folder);
   SlurmScheduler(SlurmProfile profile, const std::filesystem::path& jobs_folder,
                  std::shared_ptr<Commands> commands, std::filesystem::path program);
 
-  /// 0 until a quarter of the queue's room is free: a few large arrays are lighter on Slurm than
-  /// many small ones.
+  /// The free places in the queue. It returns 0 until a quarter of them is free, since a few large
+  /// arrays burden Slurm less than many small ones.
   std::size_t free_slots() override;
   std::vector<std::string> start(std::span<const manager::Task> tasks) override;
   bool holds(const manager::Task& task) override;
   std::vector<manager::WorkerEnd> wait(std::chrono::milliseconds longest) override;
 
-  /// Leaves a stop file in each job directory, and cancels array tasks that have no other jobs:
-  /// the waiting ones, or with at_once also those that run.
+  /// Writes a stop file into each job directory, and cancels array tasks that have no other jobs:
+  /// the waiting ones, and with at_once also the running ones.
   void stop(std::span<const manager::Task> tasks, manager::StopKind kind) override;
 
  private:
@@ -48,8 +48,8 @@ class SlurmScheduler : public manager::Scheduler {
   std::shared_ptr<Commands> commands_;
   Cluster cluster_;
   std::list<LiveBatch> live_;
-  std::unordered_map<std::string, int> held_;  ///< job directory -> batches that hold it
-  std::vector<manager::WorkerEnd> ended_;      ///< not reported yet
+  std::unordered_map<std::string, int> held_;  ///< job directory -> number of batches that have it
+  std::vector<manager::WorkerEnd> ended_;      ///< ends that are not reported yet
   Clock::time_point next_poll_{};
   bool squeue_is_silent_ = false;
 };

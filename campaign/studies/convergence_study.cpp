@@ -40,7 +40,7 @@ std::optional<Value> given_as(const json& object, const char* key) {
   return object.contains(key) ? std::optional(object[key].get<Value>()) : std::nullopt;
 }
 
-Study::Case parse_case(const json& given, const json& shared) {
+ConvergenceStudy::Case parse_case(const json& given, const json& shared) {
   json scene = shared;
   scene.merge_patch(given["scene"]);
   const json published = given.value("published", json::object());
@@ -52,18 +52,18 @@ Study::Case parse_case(const json& given, const json& shared) {
            given_as<double>(published, "period_h"), given_as<bool>(published, "eer")}};
 }
 
-void require_known(const Study::Rung& rung, const std::vector<Study::Case>& cases,
-                   const std::string& where) {
+void require_known(const ConvergenceStudy::Rung& rung,
+                   const std::vector<ConvergenceStudy::Case>& cases, const std::string& where) {
   for (const std::string& name : rung.cases)
-    if (std::ranges::find(cases, name, &Study::Case::name) == cases.end()) {
+    if (std::ranges::find(cases, name, &ConvergenceStudy::Case::name) == cases.end()) {
       std::string known;
-      for (const Study::Case& c : cases) known += (known.empty() ? "" : ", ") + c.name;
+      for (const ConvergenceStudy::Case& c : cases) known += (known.empty() ? "" : ", ") + c.name;
       throw InputError(
           fmt::format("{}: ladder names the case \"{}\"; the cases are {}", where, name, known));
     }
 }
 
-void require_distinct(const std::vector<Study::Case>& cases, const std::string& where) {
+void require_distinct(const std::vector<ConvergenceStudy::Case>& cases, const std::string& where) {
   for (std::size_t i = 0; i < cases.size(); ++i)
     for (std::size_t j = i + 1; j < cases.size(); ++j)
       if (cases[i].name == cases[j].name)
@@ -71,8 +71,8 @@ void require_distinct(const std::vector<Study::Case>& cases, const std::string& 
                                      where, cases[i].name));
 }
 
-Scene scene_of(const Study& study, const Study::Case& c, const std::string& scheme,
-               std::int64_t particles, std::int64_t seed) {
+Scene scene_of(const ConvergenceStudy& study, const ConvergenceStudy::Case& c,
+               const std::string& scheme, std::int64_t particles, std::int64_t seed) {
   json scene = c.scene;
   scene["numerics"]["scheme"] = scheme;
   scene["numerics"]["particles_per_target"] = particles;
@@ -82,12 +82,12 @@ Scene scene_of(const Study& study, const Study::Case& c, const std::string& sche
 
 }  // namespace
 
-Study parse_study(const json& given, const std::string& where) {
+ConvergenceStudy parse_convergence_study(const json& given, const std::string& where) {
   require_valid(outline(), given, where + ": study");
   text::require_plain_name(given["name"], where + ": name", "convergence");
   for (const json& c : given["cases"])
     text::require_plain_name(c["name"], where + ": the name of a case", "fast-15");
-  Study study;
+  ConvergenceStudy study;
   study.name = given["name"];
   study.document = given;
   study.where = where;
@@ -97,34 +97,34 @@ Study parse_study(const json& given, const std::string& where) {
   study.published_at_s = given_as<double>(given, "published_at_s");
   require_distinct(study.cases, where);
   for (const json& r : given["ladder"]) {
-    Study::Rung rung{r["particles_per_target"], r["seeds"],
-                     r.value("cases", std::vector<std::string>{})};
+    ConvergenceStudy::Rung rung{r["particles_per_target"], r["seeds"],
+                                r.value("cases", std::vector<std::string>{})};
     require_known(rung, study.cases, where);
     study.ladder.push_back(std::move(rung));
   }
   // Every scene is checked before anything runs.
-  for (const Study::Case& c : study.cases)
+  for (const ConvergenceStudy::Case& c : study.cases)
     for (const std::string& scheme : study.schemes)
       scene_of(study, c, scheme, study.ladder.front().particles_per_target, 1);
   return study;
 }
 
-Study load_study(const std::filesystem::path& path) {
-  return parse_study(text::load_json(path), path.string());
+ConvergenceStudy load_convergence_study(const std::filesystem::path& path) {
+  return parse_convergence_study(text::load_json(path), path.string());
 }
 
-std::vector<StudyRun> runs_of(const Study& study) {
-  std::vector<StudyRun> runs;
-  for (const Study::Rung& rung : study.ladder)
+std::vector<ConvergenceRun> runs_of(const ConvergenceStudy& study) {
+  std::vector<ConvergenceRun> runs;
+  for (const ConvergenceStudy::Rung& rung : study.ladder)
     for (std::int64_t seed = 1; seed <= rung.seeds; ++seed)
-      for (const Study::Case& c : study.cases) {
+      for (const ConvergenceStudy::Case& c : study.cases) {
         if (!rung.cases.empty() && std::ranges::find(rung.cases, c.name) == rung.cases.end())
           continue;
         for (const std::string& scheme : study.schemes)
           runs.push_back({scheme, c.name, rung.particles_per_target, seed,
                           scene_of(study, c, scheme, rung.particles_per_target, seed)});
       }
-  std::ranges::stable_sort(runs, {}, [](const StudyRun& run) {
+  std::ranges::stable_sort(runs, {}, [](const ConvergenceRun& run) {
     return std::pow(static_cast<double>(run.particles_per_target), 4.0 / 3) *
            static_cast<double>(run.seed);
   });

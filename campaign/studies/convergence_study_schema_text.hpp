@@ -2,7 +2,7 @@
 
 namespace eerie::studies {
 
-/// study.schema.json, embedded by the build.
+/// convergence_study.schema.json, embedded by the build.
 extern const char* const convergence_study_schema_text;
 
 }  // namespace eerie::studies

@@ -11,7 +11,7 @@ namespace eerie::studies {
 
 namespace {
 
-ChartCell cell_of(std::size_t setting, std::size_t one, const results::RunGroup<ChartRun>& runs) {
+CostCell cell_of(std::size_t setting, std::size_t one, const results::RunGroup<CostRun>& runs) {
   return {setting,
           one,
           results::ensemble_of(runs, results::of_largest(&db::Remnant::b_over_a)),
@@ -31,9 +31,8 @@ std::string two_digits(double value) {
 
 }  // namespace
 
-std::vector<ChartCell> chart_cells(const ChartStudy& study,
-                                   const std::vector<ChartResult>& results) {
-  std::vector<ChartCell> cells;
+std::vector<CostCell> cost_cells(const CostStudy& study, const std::vector<CostResult>& results) {
+  std::vector<CostCell> cells;
   for (std::size_t s = 0; s < study.settings.size(); ++s)
     for (std::size_t c = 0; c < study.cases.size(); ++c)
       if (const auto runs = runs_with(results, s, c); !runs.empty())
@@ -41,13 +40,13 @@ std::vector<ChartCell> chart_cells(const ChartStudy& study,
   return cells;
 }
 
-std::string chart_cells_csv(const ChartStudy& study, const std::vector<ChartCell>& cells) {
+std::string cost_cells_csv(const CostStudy& study, const std::vector<CostCell>& cells) {
   std::string csv = "knob,setting,case,runs";
   for (const char* name : {"b_over_a", "c_over_a", "m_1_over_m_total", "period_h", "core_s"})
     csv += fmt::format(",{0}_mean,{0}_deviation", name);
   csv += ",p_top3_eer,classes\n";
-  for (const ChartCell& x : cells) {
-    const ChartStudy::Setting& s = study.settings[x.setting];
+  for (const CostCell& x : cells) {
+    const CostStudy::Setting& s = study.settings[x.setting];
     csv += fmt::format("{},{},{},{}", text::csv_quoted(s.knob), text::csv_quoted(s.label),
                        study.cases[x.case_index].name, x.m_1.runs);
     for (const statistics::Ensemble* e :
@@ -58,13 +57,13 @@ std::string chart_cells_csv(const ChartStudy& study, const std::vector<ChartCell
   return csv;
 }
 
-figures::MatrixFigure chart_matrix(const ChartStudy& study, const std::vector<ChartCell>& cells) {
+figures::MatrixFigure cost_matrix(const CostStudy& study, const std::vector<CostCell>& cells) {
   figures::MatrixFigure figure;
   figure.caption = "b/a and mass (in parts of all) of the largest remnant; blue: b/a < 0.3";
-  for (const ChartStudy::Case& one : study.cases) figure.columns.push_back(one.name);
+  for (const CostStudy::Case& one : study.cases) figure.columns.push_back(one.name);
   for (std::size_t s = 0; s < study.settings.size(); ++s) {
-    if (std::ranges::find(cells, s, &ChartCell::setting) == cells.end()) continue;
-    const ChartStudy::Setting& setting = study.settings[s];
+    if (std::ranges::find(cells, s, &CostCell::setting) == cells.end()) continue;
+    const CostStudy::Setting& setting = study.settings[s];
     const bool stands_alone = setting.label.empty();
     const std::string group = stands_alone ? "" : setting.knob;
     if (figure.groups.empty() || figure.groups.back().name != group)
@@ -72,7 +71,7 @@ figures::MatrixFigure chart_matrix(const ChartStudy& study, const std::vector<Ch
     figures::MatrixRow& row = figure.groups.back().rows.emplace_back();
     row.label = stands_alone ? setting.knob : setting.label;
     row.cells.resize(study.cases.size());
-    for (const ChartCell& x : cells)
+    for (const CostCell& x : cells)
       if (x.setting == s && x.b_over_a.runs > 0)
         row.cells[x.case_index] = {
             x.b_over_a.mean,

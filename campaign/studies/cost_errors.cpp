@@ -16,13 +16,13 @@ namespace eerie::studies {
 
 namespace {
 
-using Runs = results::RunGroup<ChartRun>;
-using Quantity = std::function<std::optional<double>(const ChartResult&)>;
+using Runs = results::RunGroup<CostRun>;
+using Quantity = std::function<std::optional<double>(const CostResult&)>;
 
 /// Everything that deviations are made of: results by setting and case.
 class Comparison {
  public:
-  Comparison(const ChartStudy& study, const std::vector<ChartResult>& results)
+  Comparison(const CostStudy& study, const std::vector<CostResult>& results)
       : cases_(study.cases.size()), reference_(study.settings.size() - 1) {
     for (std::size_t s = 0; s <= reference_; ++s)
       for (std::size_t c = 0; c < cases_; ++c) runs_.push_back(runs_with(results, s, c));
@@ -71,7 +71,7 @@ class Comparison {
     double sum = 0;
     for (const std::size_t c : cases(setting)) {
       const std::string expected = most_frequent_class(runs(reference_, c));
-      const auto alike = std::ranges::count_if(runs(setting, c), [&](const ChartResult* r) {
+      const auto alike = std::ranges::count_if(runs(setting, c), [&](const CostResult* r) {
         return r->row.result.outcome_class == expected;
       });
       sum += static_cast<double>(alike) / static_cast<double>(runs(setting, c).size());
@@ -93,7 +93,7 @@ class Comparison {
 
   static std::string most_frequent_class(const Runs& runs) {
     std::map<std::string, int> counts;
-    for (const ChartResult* r : runs) ++counts[r->row.result.outcome_class];
+    for (const CostResult* r : runs) ++counts[r->row.result.outcome_class];
     return std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; })
         ->first;
   }
@@ -114,15 +114,15 @@ class Comparison {
   std::vector<Runs> runs_;
 };
 
-double truth(const ChartPoint& point) {
+double truth(const CostPoint& point) {
   return std::max(point.b_over_a.error, point.b_over_a.noise);
 }
 
-void mark_frontier(std::vector<ChartPoint>& points) {
-  for (ChartPoint& point : points) {
+void mark_frontier(std::vector<CostPoint>& points) {
+  for (CostPoint& point : points) {
     if (!point.whole) continue;
     double cheapest = point.core_seconds;
-    for (const ChartPoint& other : points)
+    for (const CostPoint& other : points)
       if (other.whole && truth(other) <= truth(point))
         cheapest = std::min(cheapest, other.core_seconds);
     point.cost_over_frontier = point.core_seconds / cheapest;
@@ -132,23 +132,22 @@ void mark_frontier(std::vector<ChartPoint>& points) {
 
 }  // namespace
 
-results::RunGroup<ChartRun> runs_with(const std::vector<ChartResult>& results, std::size_t setting,
-                                      std::size_t case_index) {
-  results::RunGroup<ChartRun> runs;
-  for (const ChartResult& r : results)
+results::RunGroup<CostRun> runs_with(const std::vector<CostResult>& results, std::size_t setting,
+                                     std::size_t case_index) {
+  results::RunGroup<CostRun> runs;
+  for (const CostResult& r : results)
     if (r.run.setting == setting && r.run.case_index == case_index) runs.push_back(&r);
   return runs;
 }
 
-std::vector<ChartPoint> chart_points(const ChartStudy& study,
-                                     const std::vector<ChartResult>& results) {
+std::vector<CostPoint> cost_points(const CostStudy& study, const std::vector<CostResult>& results) {
   const Comparison all(study, results);
   const std::size_t reference = study.settings.size() - 1;
-  std::vector<ChartPoint> points;
+  std::vector<CostPoint> points;
   if (!all.is_whole(reference)) return points;
   for (std::size_t s = 0; s < study.settings.size(); ++s) {
     if (all.cases(s).empty()) continue;
-    ChartPoint p;
+    CostPoint p;
     p.setting = s;
     p.whole = all.is_whole(s);
     for (const std::size_t c : all.cases(s)) {
@@ -161,7 +160,7 @@ std::vector<ChartPoint> chart_points(const ChartStudy& study,
     p.particle_steps = all.mean_over_cases(s, [](const Runs& runs) {
       return results::ensemble_of(
                  runs,
-                 [](const ChartResult& r) { return std::optional(r.row.result.particle_steps); })
+                 [](const CostResult& r) { return std::optional(r.row.result.particle_steps); })
           .mean;
     });
     p.b_over_a = all.deviation(s, results::of_largest(&db::Remnant::b_over_a));
@@ -176,13 +175,13 @@ std::vector<ChartPoint> chart_points(const ChartStudy& study,
   return points;
 }
 
-std::string chart_csv(const ChartStudy& study, const std::vector<ChartPoint>& points) {
+std::string cost_csv(const CostStudy& study, const std::vector<CostPoint>& points) {
   std::string csv =
       "knob,setting,cases,runs,core_s,particle_steps,b_over_a_error,b_over_a_noise,c_over_a_error,"
       "c_over_a_noise,m_1_over_m_total_error,m_1_over_m_total_noise,period_relative_error,"
       "period_relative_noise,class_agreement,p_any_eer_error,frontier,cost_over_frontier,set\n";
-  for (const ChartPoint& p : points) {
-    const ChartStudy::Setting& s = study.settings[p.setting];
+  for (const CostPoint& p : points) {
+    const CostStudy::Setting& s = study.settings[p.setting];
     csv += fmt::format("{},{},{},{},{:.4g},{:.4g}", text::csv_quoted(s.knob),
                        text::csv_quoted(s.label), text::csv_quoted(p.cases), p.runs, p.core_seconds,
                        p.particle_steps);
@@ -195,11 +194,11 @@ std::string chart_csv(const ChartStudy& study, const std::vector<ChartPoint>& po
   return csv;
 }
 
-std::string chart_runs_csv(const ChartStudy& study, const std::vector<ChartResult>& results) {
+std::string cost_runs_csv(const CostStudy& study, const std::vector<CostResult>& results) {
   std::string csv = "knob,setting,case,seed,class,settled,ended_at_s,end_reason" +
                     results::remnant_header("") + results::run_end_header;
-  for (const ChartResult& r : results) {
-    const ChartStudy::Setting& s = study.settings[r.run.setting];
+  for (const CostResult& r : results) {
+    const CostStudy::Setting& s = study.settings[r.run.setting];
     const db::Result& x = r.row.result;
     csv +=
         fmt::format("{},{},{},{},{},{},{},{}", text::csv_quoted(s.knob), text::csv_quoted(s.label),
@@ -213,26 +212,25 @@ std::string chart_runs_csv(const ChartStudy& study, const std::vector<ChartResul
 namespace {
 
 /// The fidelity that a setting is, if any; a knob that turns something else leaves it nameless.
-std::string fidelity_of_setting(const ChartStudy& study, const std::vector<ChartRun>& runs,
+std::string fidelity_of_setting(const CostStudy& study, const std::vector<CostRun>& runs,
                                 std::size_t setting) {
   const auto is_part = [](const std::string& path) {
     return path.starts_with("numerics.") || path.starts_with("end.");
   };
   for (const auto& [path, value] : study.settings[setting].set.items())
     if (!is_part(path)) return "";
-  const auto run = std::ranges::find(runs, setting, &ChartRun::setting);
+  const auto run = std::ranges::find(runs, setting, &CostRun::setting);
   return std::string(sweeps::fidelity_of(to_json(run->scene)));
 }
 
 }  // namespace
 
-figures::AccuracyFigure chart_figure(const ChartStudy& study,
-                                     const std::vector<ChartPoint>& points) {
+figures::AccuracyFigure cost_figure(const CostStudy& study, const std::vector<CostPoint>& points) {
   figures::AccuracyFigure figure{
       {"b/a", "c/a", "mass of the largest / all", "period, relative"}, {}, {}};
-  const std::vector<ChartRun> runs = runs_of(study);
-  for (const ChartPoint& p : points) {
-    const ChartStudy::Setting& s = study.settings[p.setting];
+  const std::vector<CostRun> runs = runs_of(study);
+  for (const CostPoint& p : points) {
+    const CostStudy::Setting& s = study.settings[p.setting];
     if (s.knob == reference_knob) continue;
     if (figure.series.empty() || figure.series.back().name != s.knob)
       figure.series.push_back({s.knob, s.knob == default_knob, {}});

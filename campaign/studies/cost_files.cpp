@@ -20,8 +20,8 @@ fs::path beside(const fs::path& picture, const std::string& end) {
 
 }  // namespace
 
-text::Table table_of_points(const ChartStudy& study, const std::vector<ChartPoint>& points) {
-  using Point = ChartPoint;
+text::Table table_of_points(const CostStudy& study, const std::vector<CostPoint>& points) {
+  using Point = CostPoint;
   return text::table_of<Point>(
       {{shown("knob"), [&](const Point& p) { return study.settings[p.setting].knob; }},
        {shown("setting"), [&](const Point& p) { return study.settings[p.setting].label; }},
@@ -39,17 +39,19 @@ text::Table table_of_points(const ChartStudy& study, const std::vector<ChartPoin
       points);
 }
 
-std::vector<fs::path> write_chart(const ChartStudy& study, const std::vector<ChartResult>& results,
-                                  const std::vector<ChartPoint>& points, const fs::path& picture) {
-  const std::vector<ChartCell> cells = chart_cells(study, results);
+std::vector<fs::path> write_cost_study(const CostStudy& study,
+                                       const std::vector<CostResult>& results,
+                                       const std::vector<CostPoint>& points,
+                                       const fs::path& picture) {
+  const std::vector<CostCell> cells = cost_cells(study, results);
   const std::vector<fs::path> files = {
       picture, beside(picture, ".csv"), beside(picture, "-runs.csv"),
       beside(picture, "-cases" + picture.extension().string()), beside(picture, "-cases.csv")};
-  figures::draw_accuracy(files[0], chart_figure(study, points));
-  install_text(files[1], chart_csv(study, points));
-  install_text(files[2], chart_runs_csv(study, results));
-  figures::draw_matrix(files[3], chart_matrix(study, cells));
-  install_text(files[4], chart_cells_csv(study, cells));
+  figures::draw_accuracy(files[0], cost_figure(study, points));
+  install_text(files[1], cost_csv(study, points));
+  install_text(files[2], cost_runs_csv(study, results));
+  figures::draw_matrix(files[3], cost_matrix(study, cells));
+  install_text(files[4], cost_cells_csv(study, cells));
   return files;
 }
 

@@ -9,14 +9,14 @@
 
 namespace eerie::studies {
 
-/// A line per setting, for people.
-text::Table table_of_points(const ChartStudy& study, const std::vector<ChartPoint>& points);
+/// A table with one row per setting, for people.
+text::Table table_of_points(const CostStudy& study, const std::vector<CostPoint>& points);
 
-/// Draws the chart at `picture`, whose folder is there, with its tables and the picture of the
+/// Draws the chart at `picture`, whose folder exists. It writes the tables and the picture of the
 /// cases beside it. Returns the files.
-std::vector<std::filesystem::path> write_chart(const ChartStudy& study,
-                                               const std::vector<ChartResult>& results,
-                                               const std::vector<ChartPoint>& points,
-                                               const std::filesystem::path& picture);
+std::vector<std::filesystem::path> write_cost_study(const CostStudy& study,
+                                                    const std::vector<CostResult>& results,
+                                                    const std::vector<CostPoint>& points,
+                                                    const std::filesystem::path& picture);
 
 }  // namespace eerie::studies

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 namespace {
 
-const json& chart_schema() {
+const json& cost_study_schema() {
   static const json schema = json::parse(cost_study_schema_text);
   return schema;
 }
@@ -25,7 +25,7 @@ const json& chart_schema() {
 /// The schema without the pattern of names: require_plain_name() has better words for it.
 const json& outline() {
   static const json schema = [] {
-    json s = chart_schema();
+    json s = cost_study_schema();
     s["properties"]["name"] = {{"type", "string"}};
     return s;
   }();
@@ -42,9 +42,9 @@ json shared_scene(const json& given) {
   return scene;
 }
 
-Scene scene_of(const ChartStudy& study, const ChartRun& run, const std::string& where) {
-  const ChartStudy::Case& one = study.cases[run.case_index];
-  const ChartStudy::Setting& setting = study.settings[run.setting];
+Scene scene_of(const CostStudy& study, const CostRun& run, const std::string& where) {
+  const CostStudy::Case& one = study.cases[run.case_index];
+  const CostStudy::Setting& setting = study.settings[run.setting];
   const std::string place =
       fmt::format("{}: case {}, {} {}: scene", where, one.name, setting.knob, setting.label);
   json scene = one.scene;
@@ -56,10 +56,10 @@ Scene scene_of(const ChartStudy& study, const ChartRun& run, const std::string& 
 
 }  // namespace
 
-ChartStudy parse_chart_study(const json& given, const std::string& where) {
+CostStudy parse_cost_study(const json& given, const std::string& where) {
   require_valid(outline(), given, where + ": study");
   text::require_plain_name(given["name"], where + ": name", "accuracy");
-  ChartStudy study;
+  CostStudy study;
   study.name = given["name"];
   study.document = given;
   const json shared = shared_scene(given);
@@ -84,19 +84,19 @@ ChartStudy parse_chart_study(const json& given, const std::string& where) {
   return study;
 }
 
-ChartStudy load_chart_study(const std::filesystem::path& path) {
-  return parse_chart_study(text::load_json(path), path.string());
+CostStudy load_cost_study(const std::filesystem::path& path) {
+  return parse_cost_study(text::load_json(path), path.string());
 }
 
-std::vector<ChartRun> runs_of(const ChartStudy& study) {
-  std::vector<ChartRun> runs;
+std::vector<CostRun> runs_of(const CostStudy& study) {
+  std::vector<CostRun> runs;
   for (std::size_t s = 0; s < study.settings.size(); ++s)
     for (std::size_t c = 0; c < study.cases.size(); ++c)
       for (std::int64_t seed = 1; seed <= study.settings[s].seeds; ++seed) {
         runs.push_back({s, c, seed, {}});
         runs.back().scene = scene_of(study, runs.back(), study.name);
       }
-  std::ranges::stable_sort(runs, {}, &ChartRun::seed);
+  std::ranges::stable_sort(runs, {}, &CostRun::seed);
   return runs;
 }
 

@@ -10,12 +10,13 @@
 
 namespace eerie::studies {
 
-/// A study of cost against accuracy, as read from its file (chart.schema.json): some impacts with
-/// default settings, with one knob at a time turned, and with the settings of a reference.
-struct ChartStudy {
+/// A study of cost against accuracy, as read from its file (cost_study.schema.json). It runs some
+/// impacts with default settings, with one knob at a time changed, and with the settings of a
+/// reference.
+struct CostStudy {
   struct Case {
     std::string name, title;
-    nlohmann::json scene;  ///< with that of the study and its fidelity
+    nlohmann::json scene;  ///< with the fields of the study's scene and its fidelity
   };
   struct Setting {
     std::string knob, label;
@@ -25,24 +26,24 @@ struct ChartStudy {
   std::string name;
   std::vector<Case> cases;
   std::vector<Setting> settings;  ///< the default first, the reference last
-  nlohmann::json document;        ///< as given, for the database
+  nlohmann::json document;        ///< the document as given, for the database
 };
 
 inline constexpr const char* default_knob = "default";
 inline constexpr const char* reference_knob = "reference";
 
-/// Throws InputError naming path, value, allowed range and mend.
-ChartStudy parse_chart_study(const nlohmann::json& document, const std::string& where);
-ChartStudy load_chart_study(const std::filesystem::path& path);
+/// Reads a study. Throws InputError, which names path, value, allowed range and mend.
+CostStudy parse_cost_study(const nlohmann::json& document, const std::string& where);
+CostStudy load_cost_study(const std::filesystem::path& path);
 
-/// One run of such a study.
-struct ChartRun {
+/// One run of a cost study.
+struct CostRun {
   std::size_t setting = 0, case_index = 0;
   std::int64_t seed = 1;
   Scene scene;
 };
 
-/// All runs, the first seeds of all settings first.
-std::vector<ChartRun> runs_of(const ChartStudy& study);
+/// All runs; the first seed of all settings comes first.
+std::vector<CostRun> runs_of(const CostStudy& study);
 
 }  // namespace eerie::studies

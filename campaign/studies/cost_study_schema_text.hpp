@@ -2,7 +2,7 @@
 
 namespace eerie::studies {
 
-/// chart.schema.json, embedded by the build.
+/// cost_study.schema.json, embedded by the build.
 extern const char* const cost_study_schema_text;
 
 }  // namespace eerie::studies

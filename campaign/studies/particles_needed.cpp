@@ -32,18 +32,18 @@ struct Measured {
   statistics::Ensemble b_over_a, m_1;
   double p_top3_eer;
 };
-Measured at_end(const StudyCell& c) {
+Measured at_end(const ConvergenceCell& c) {
   return {c.particles_per_target, c.b_over_a, c.m_1, c.p_top3_eer};
 }
-Measured at_published(const StudyCell& c) {
+Measured at_published(const ConvergenceCell& c) {
   return c.at_published.m_1.runs == 0 ? at_end(c)
                                       : Measured{c.particles_per_target, c.at_published.b_over_a,
                                                  c.at_published.m_1, c.at_published.p_top3_eer};
 }
 
 /// The least particle number of `rungs`, which rise, from which on all are near the target.
-std::optional<std::int64_t> reached(std::span<const StudyCell> rungs, const Target& target,
-                                    Measured (*measured)(const StudyCell&)) {
+std::optional<std::int64_t> least_from(std::span<const ConvergenceCell> rungs, const Target& target,
+                                       Measured (*measured)(const ConvergenceCell&)) {
   std::optional<std::int64_t> from;
   for (std::size_t k = rungs.size(); k-- > 0;) {
     const Measured m = measured(rungs[k]);
@@ -56,9 +56,9 @@ std::optional<std::int64_t> reached(std::span<const StudyCell> rungs, const Targ
 }
 
 /// Variance of b/a of a single run: of the seeds of all particle numbers together.
-std::optional<double> seed_variance(std::span<const StudyCell> rungs) {
+std::optional<double> seed_variance(std::span<const ConvergenceCell> rungs) {
   double squares = 0, freedom = 0;
-  for (const StudyCell& rung : rungs) {
+  for (const ConvergenceCell& rung : rungs) {
     if (rung.b_over_a.runs < 2) continue;
     const auto more = static_cast<double>(rung.b_over_a.runs - 1);
     squares += more * rung.b_over_a.deviation * rung.b_over_a.deviation;
@@ -69,9 +69,10 @@ std::optional<double> seed_variance(std::span<const StudyCell> rungs) {
 }
 
 /// The standard error of the mean that fewest runs make.
-std::optional<double> least_sure(std::span<const StudyCell> rungs, std::optional<double> variance) {
+std::optional<double> least_sure(std::span<const ConvergenceCell> rungs,
+                                 std::optional<double> variance) {
   std::size_t fewest = 0;
-  for (const StudyCell& rung : rungs)
+  for (const ConvergenceCell& rung : rungs)
     if (const std::size_t runs = rung.b_over_a.runs; runs > 0)
       fewest = fewest == 0 ? runs : std::min(fewest, runs);
   if (!variance || fewest == 0) return {};
@@ -80,12 +81,13 @@ std::optional<double> least_sure(std::span<const StudyCell> rungs, std::optional
 
 /// Least squares of the means against N^(-1/3), each weighted by its runs. A run's variance is
 /// that of the seeds or of the scatter about the line, whichever is larger.
-std::optional<Limit> limit_of(std::span<const StudyCell> rungs, std::optional<double> variance) {
+std::optional<Limit> limit_of(std::span<const ConvergenceCell> rungs,
+                              std::optional<double> variance) {
   struct Point {
     double x, y, weight;
   };
   std::vector<Point> points;
-  for (const StudyCell& rung : rungs)
+  for (const ConvergenceCell& rung : rungs)
     if (rung.b_over_a.runs > 0)
       points.push_back({1 / std::cbrt(static_cast<double>(rung.particles_per_target)),
                         rung.b_over_a.mean, static_cast<double>(rung.b_over_a.runs)});
@@ -113,40 +115,41 @@ std::string text(std::optional<std::int64_t> number) {
 
 }  // namespace
 
-std::vector<Reach> reaches_of(const Study& study, const std::vector<StudyCell>& cells) {
-  std::vector<Reach> reaches;
-  for (const Study::Case& one : study.cases)
+std::vector<ParticlesNeeded> particles_needed(const ConvergenceStudy& study,
+                                              const std::vector<ConvergenceCell>& cells) {
+  std::vector<ParticlesNeeded> all;
+  for (const ConvergenceStudy::Case& one : study.cases)
     for (const std::string& scheme : study.schemes) {
-      std::vector<StudyCell> rungs;
-      for (const StudyCell& cell : cells)
+      std::vector<ConvergenceCell> rungs;
+      for (const ConvergenceCell& cell : cells)
         if (cell.case_name == one.name && cell.scheme == scheme) rungs.push_back(cell);
       if (rungs.empty()) continue;
-      std::ranges::sort(rungs, {}, &StudyCell::particles_per_target);
-      const StudyCell& finest = rungs.back();
+      std::ranges::sort(rungs, {}, &ConvergenceCell::particles_per_target);
+      const ConvergenceCell& finest = rungs.back();
       Target own;
       if (finest.b_over_a.runs > 0) own.b_over_a = finest.b_over_a.mean;
       own.m_1 = finest.m_1.mean;
       const Target published{one.published.b_over_a, one.published.m_1_over_m_total,
                              one.published.eer};
       const std::optional<double> variance = seed_variance(rungs);
-      Reach reach;
-      reach.case_name = one.name, reach.scheme = scheme;
-      reach.finest = finest.particles_per_target;
-      reach.known_to = least_sure(rungs, variance);
-      reach.b_over_a = limit_of(rungs, variance);
-      if (rungs.size() > 1) reach.own = reached(rungs, own, at_end);
-      reach.has_published = published.b_over_a || published.m_1 || published.eer;
-      if (reach.has_published) reach.published = reached(rungs, published, at_published);
-      reaches.push_back(std::move(reach));
+      ParticlesNeeded needed;
+      needed.case_name = one.name, needed.scheme = scheme;
+      needed.finest = finest.particles_per_target;
+      needed.known_to = least_sure(rungs, variance);
+      needed.b_over_a = limit_of(rungs, variance);
+      if (rungs.size() > 1) needed.own = least_from(rungs, own, at_end);
+      needed.has_published = published.b_over_a || published.m_1 || published.eer;
+      if (needed.has_published) needed.published = least_from(rungs, published, at_published);
+      all.push_back(std::move(needed));
     }
-  return reaches;
+  return all;
 }
 
-std::string reaches_csv(const std::vector<Reach>& reaches) {
+std::string particles_needed_csv(const std::vector<ParticlesNeeded>& all) {
   std::string csv =
       "case,scheme,finest_particles_per_target,own_from,published_from,b_over_a_known_to,"
       "b_over_a_limit,b_over_a_limit_error\n";
-  for (const Reach& r : reaches) {
+  for (const ParticlesNeeded& r : all) {
     csv += fmt::format("{},{},{},{},{},{},", r.case_name, r.scheme, r.finest, text(r.own),
                        text(r.published), r.known_to ? fmt::format("{:.3g}", *r.known_to) : "");
     csv += r.b_over_a ? fmt::format("{:.4g},{:.3g}\n", r.b_over_a->value, r.b_over_a->error)

@@ -14,29 +14,29 @@
 
 namespace eerie::studies {
 
-/// What of a study is to be run, and where its results are.
+/// The plan of a study: what to run, and where the results are.
 struct StudyPlan {
   std::string name, document;  ///< of the sweep that the database gets
   std::filesystem::path database;
-  std::vector<std::filesystem::path> known;  ///< tables of runs that need not be repeated
-  double core_hours = 0;                     ///< 0: as much as the study takes
+  std::vector<std::filesystem::path> known;  ///< tables of runs that need no repetition
+  double core_hours = 0;                     ///< 0: no limit
   bool draw_only = false;                    ///< runs nothing
 };
 
 class StudyObserver : public virtual manager::CampaignObserver {
  public:
-  /// So many runs are within the budget, of which some are known and some are left to run.
+  /// `runs` are within the budget; of these `known` are known and `left` remain to run.
   virtual void begins(std::size_t runs, std::size_t known, std::size_t left) = 0;
 };
 
-/// Runs scenes that are chosen already; `known` more need no run. Throws InputError where there are
-/// neither.
+/// Runs these scenes; `known` further ones need no run. Throws InputError where there are none of
+/// either.
 manager::Tally run_scenes(const StudyPlan& plan, const std::vector<Scene>& scenes,
                           std::size_t known, db::Connection& connection,
                           const manager::Workplace& workplace, StudyObserver& observer);
 
-/// Runs those of `runs` that the budget pays and that are neither done yet nor known. The folder of
-/// the database is there. Throws InputError where the budget pays for none.
+/// Runs those of `runs` that the budget allows and that are neither done nor known. The folder of
+/// the database must exist. Throws InputError where the budget allows none.
 template <class Run>
 manager::Tally run_study(const StudyPlan& plan, std::vector<Run> runs,
                          const results::RunRecords& known, const manager::Workplace& workplace,
@@ -51,11 +51,10 @@ manager::Tally run_study(const StudyPlan& plan, std::vector<Run> runs,
   return run_scenes(plan, scenes, runs.size() - scenes.size(), connection, workplace, observer);
 }
 
-/// To read the results from; nothing where there is no database and figures are drawn of known runs
-/// alone.
+/// The database of the results. Nothing where there is none, so that figures show known runs alone.
 std::optional<db::Connection> results_database(const StudyPlan& plan);
 
-/// A study after its work: what is left of it and all results, known ones included.
+/// A study after its runs: what is left of it, and all results, known ones included.
 template <class Run>
 struct StudyWork {
   manager::Tally left;
@@ -63,7 +62,7 @@ struct StudyWork {
   std::optional<job_folder::JobFolder> jobs;  ///< nothing where there is no database
 };
 
-/// Runs what run_study() would, unless figures alone are asked for, and collects the results.
+/// Calls run_study(), unless only figures are wanted, and collects the results.
 template <class Run>
 StudyWork<Run> work_on_study(const StudyPlan& plan, const std::vector<Run>& runs,
                              const manager::Workplace& workplace, StudyObserver& observer) {

@@ -8,21 +8,22 @@
 
 namespace eerie::sweeps {
 
-/// No sweep has more jobs, and so no axis more values.
+/// The most jobs of a sweep, and so the most values of an axis.
 inline constexpr std::size_t max_sweep_jobs = 1'000'000;
 
-/// One axis of a grid: a numeric field of the scene and the values it takes.
+/// One axis of a grid: a numeric field of the scene and its values.
 struct Axis {
   std::string path;  ///< dotted
   std::vector<double> values;
 };
 
-/// Reads an axis: a list of numbers, or {"from", "to", "step"} with both ends in. Each value
-/// is checked against the scene's schema. Throws InputError; `where` names file and axis.
+/// Reads an axis: a list of numbers, or {"from", "to", "step"} with both ends included. It checks
+/// each value against the scene's schema. Throws InputError; `where` names file and axis.
 Axis parse_axis(const std::string& name, const nlohmann::json& spec, const std::string& where);
 
-/// from, from + step, ... to, each the double closest to its decimal: 0.1 + 2 * 0.1 is 0.3.
-/// Throws InputError where step <= 0, to < from, or `to` is not among them.
+/// The values from, from + step, ... to. Each is the double closest to its decimal, so 0.1 + 2 *
+/// 0.1 is 0.3. Throws InputError where step <= 0, where to < from, or where `to` is not among the
+/// values.
 std::vector<double> inclusive_range(double from, double to, double step, const std::string& where);
 
 }  // namespace eerie::sweeps

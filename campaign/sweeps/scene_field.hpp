@@ -8,10 +8,10 @@
 
 namespace eerie::sweeps {
 
-/// "/impact/q" of "impact.q".
+/// The JSON pointer of a dotted path: "/impact/q" for "impact.q".
 std::string field_pointer(const std::string& path);
 
-/// Short names of the fields that every sweep varies.
+/// The short names of the fields that every sweep varies.
 struct ShortName {
   std::string_view name, path;
 };
@@ -22,32 +22,34 @@ inline constexpr std::array<ShortName, 4> short_names = {{
     {"theta_imp_deg", "impact.theta_imp_deg"},
 }};
 
-/// A field of the scene and its piece of the schema.
+/// A field of the scene and its part of the schema.
 struct SceneField {
   std::string path;              ///< dotted, "impact.q"
   const nlohmann::json* schema;  ///< never null
 };
 
-/// The field of a dotted path or short name. Throws InputError that names the closest known
-/// fields where there is none; `where` stands in front.
+/// The field of a dotted path or short name. Throws InputError, which begins with `where` and names
+/// the closest known fields, where there is none.
 SceneField scene_field(const std::string& name, const std::string& where);
 
-/// The field in a scene's JSON, or nullptr.
+/// The field in a scene's JSON; nullptr where it is missing.
 const nlohmann::json* find_field(const nlohmann::json& scene, const std::string& path);
 void set_field(nlohmann::json& scene, const std::string& path, nlohmann::json value);
 
-/// Each "--set PATH=VALUE" in order, checked against the schema. Throws InputError.
+/// Applies each "--set PATH=VALUE" in order and checks it against the schema. Throws InputError.
 void apply_overrides(nlohmann::json& scene, const std::vector<std::string>& overrides);
 
-/// Numbers of points and scenes that differ in later digits are one: 0.30000000000000004 is 0.3.
+/// Numbers of points and scenes that differ only in later digits count as equal:
+/// 0.30000000000000004 is 0.3.
 inline constexpr int significant_digits = 12;
-/// The double nearest to the first significant_digits of a finite number; of -0 it is 0.
+/// The double nearest to the first significant_digits of a finite number. For -0 it is 0.
 double rounded(double value);
 
-/// The one spelling of a number: rounded(), and 30.0 as 30, an integer where the schema wants one.
+/// The canonical form of a number: rounded(), and an integer where the schema wants one (30.0
+/// becomes 30).
 nlohmann::json canonical_number(double value);
 
-/// Every number of `document` in that spelling.
+/// `document` with every number in that form.
 nlohmann::json with_integers(nlohmann::json document);
 
 }  // namespace eerie::sweeps

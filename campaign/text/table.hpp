@@ -17,26 +17,26 @@ Value or_null(const std::optional<T>& value) {
   return value ? Value(*value) : Value();
 }
 
-/// A column: for programs under its name, for people under its header.
+/// A column. Programs see it under its name, people under its header.
 struct Column {
-  std::string name = {};       ///< key of JSON and of CSV, with its unit; empty: for people alone
-  std::string header = {};     ///< with its unit
-  std::string pattern = "{}";  ///< of its numbers, for people
-  std::string unit = {}, meaning = {};  ///< of the name, for programs
-  std::string mark = "yes";             ///< a flag that is set, for people
-  std::string unit_above = {};          ///< where it stands above the table
+  std::string name = {};  ///< key in JSON and CSV, with its unit; empty: only people see the column
+  std::string header = {};              ///< for people, with its unit
+  std::string pattern = "{}";           ///< format of its numbers, for people
+  std::string unit = {}, meaning = {};  ///< for programs
+  std::string mark = "yes";             ///< shown to people for a flag that is set
+  std::string unit_above = {};          ///< unit shown where the value stands above the table
   bool for_people = true;
-  bool above = false;   ///< where all rows share its value, it stands above the table
-  int dispensable = 0;  ///< left out the sooner, the higher, where a terminal is narrow
+  bool above = false;   ///< shows the value above the table where all rows share it
+  int dispensable = 0;  ///< columns with a higher number are left out first on a narrow terminal
 };
 
-/// For programs alone.
+/// A column for programs alone.
 inline Column data(std::string name) { return {.name = std::move(name), .for_people = false}; }
-/// For people alone.
+/// A column for people alone.
 inline Column shown(std::string header, std::string pattern = "{}") {
   return {.header = std::move(header), .pattern = std::move(pattern)};
 }
-/// For both.
+/// A column for both.
 inline Column both(std::string name, std::string header, std::string pattern = "{}") {
   return {.name = std::move(name), .header = std::move(header), .pattern = std::move(pattern)};
 }
@@ -46,7 +46,7 @@ struct Table {
   std::vector<std::vector<Value>> rows;
 };
 
-/// A column of a table of `Row`s, and where its values come from.
+/// A column of a table of `Row`s, and the function that gives its values.
 template <class Row>
 struct Field {
   Column column;
@@ -64,28 +64,29 @@ Table table_of(const std::vector<Field<Row>>& fields, const std::vector<Row>& ro
   return table;
 }
 
-/// Columns of a list of records, by their names; null where a record lacks one.
+/// Makes a table of these columns of a list of records. A value is null where a record lacks it.
 Table chosen(const nlohmann::json& records, std::vector<Column> columns);
 
-/// A table for people alone of headers and rows of words.
+/// Makes a table of words, for people alone.
 Table words(const std::vector<std::string>& headers,
             const std::vector<std::vector<std::string>>& rows);
 
-/// One {"name": value, ...} per row, of the columns that have a name.
+/// A list with one {"name": value, ...} per row, from the columns that have a name.
 nlohmann::json records(const Table& table);
 
 /// Whether any column has a name.
 bool is_for_programs(const Table& table);
 
-/// RFC 4180 of the columns that have a name. null is an empty field, flags are 0 or 1.
+/// CSV (RFC 4180) of the columns that have a name. null becomes an empty field, and flags become 0
+/// or 1.
 std::string csv(const Table& table);
 
-/// A table of Markdown, of what is for people.
+/// A table in Markdown of the columns for people.
 std::string markdown(const Table& table);
 
-/// Aligned columns for people, no line longer than `width` (0: as long as it must be). Where the
-/// columns need more, words wrap within theirs; where that is not enough, columns are left out,
-/// the most dispensable first, of equals the last; a line below says which.
+/// Aligned columns for people. No line is longer than `width` (0: no limit). Where the columns need
+/// more room, words wrap within their columns. Where that is not enough, the most dispensable
+/// columns are left out, the last one first among equals. A line below names them.
 std::string aligned(const Table& table, std::size_t width);
 
 }  // namespace eerie::text

@@ -7,8 +7,8 @@
 
 namespace eerie::worker {
 
-/// Whether a stop was asked for: by a signal, or, from another host, by the file `stop` in the
-/// job directory, looked for once a second.
+/// Says whether a stop was requested, by a signal or, from another host, by the file `stop` in the
+/// job directory. It looks for that file once a second.
 class StopRequest {
  public:
   explicit StopRequest(std::filesystem::path file) : file_(std::move(file)) {}

@@ -15,10 +15,10 @@ namespace eerie::worker {
 /// Watches the run of one impact: keeps its history and says when it may end, soften or fly.
 class Watch {
  public:
-  /// Goes on from the history and the looks that an earlier attempt left in the folder.
+  /// Continues the history and the looks that an earlier attempt left in the folder.
   Watch(const Scene& scene, const job_folder::JobDirectory& folder);
 
-  /// What to run the impact with; they refer to this object.
+  /// The options with which to run the impact. They refer to this object.
   run::RunOptions options(int threads, long max_steps,
                           std::function<void(const run::Progress&)> on_progress);
 

@@ -11,14 +11,15 @@ namespace eerie::worker {
 struct WorkerOptions {
   std::filesystem::path directory;
   int threads = 1;
-  long parent = 0;  ///< process to die with; 0: none
+  long parent = 0;  ///< process with which this one ends; 0: none
 };
 
-/// Runs the job of a directory to its result.json or failure.json, or until told to stop.
-/// Speaks through files only. Returns the exit code.
+/// Runs the job of a directory to its result.json or failure.json, or until a stop is requested. It
+/// communicates through files only. Returns the exit code.
 int run_worker(const WorkerOptions& options);
 
-/// One impact in a folder: history, run and analysis, without lock, log or result file.
+/// The run and the analysis of one impact. compute() writes the history into the folder, but no
+/// lock, log or result file.
 struct Computed {
   run::RunSummary summary;
   remnants::Analysis analysis;

@@ -10,14 +10,14 @@
 
 namespace eerie::db {
 
-// What an examination asks of a database.
+// The questions of an examination to a database.
 
-/// Rows that name a row that is not there.
+/// Rows that refer to a missing row.
 std::vector<std::string> broken_references(const Connection& connection);
 
 bool has_open_attempt(const Connection& connection, std::int64_t job);
 
-/// The numbers of a job's result by which it is told from another.
+/// The numbers of a job's result that distinguish it from another result.
 struct ResultMark {
   std::string outcome_class;
   std::optional<double> b_over_a;

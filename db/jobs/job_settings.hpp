@@ -10,18 +10,18 @@
 
 namespace eerie::db {
 
-/// What jobs have in common that differ in impact (q, speed, angle), friction angle, seed and
-/// output only. Results of different settings are never averaged.
+/// The settings that jobs share which differ only in impact (q, speed, angle), friction angle, seed
+/// and output. Results of different settings are never averaged.
 struct JobSettings {
   std::int64_t id = 0;
-  std::string fidelity;  ///< empty: has no name
-  std::string scene;     ///< the rest of the scene, canonical JSON
+  std::string fidelity;  ///< empty where the settings have no name
+  std::string scene;     ///< the other fields of the scene, in canonical JSON
 };
 
-/// All settings of a database, by id.
+/// All settings of a database, by their id.
 std::vector<JobSettings> job_settings(const Connection& connection);
 
-/// How many settings these jobs have among themselves.
+/// The number of different settings among these jobs.
 std::size_t count_settings(std::span<const NewJob> jobs);
 
 }  // namespace eerie::db

@@ -15,19 +15,19 @@ namespace eerie::db {
 
 struct AddedSweep {
   std::int64_t sweep = 0;
-  std::size_t jobs = 0;   ///< distinct jobs of the sweep
-  std::size_t added = 0;  ///< of these, new to the database
+  std::size_t jobs = 0;   ///< number of distinct jobs of the sweep
+  std::size_t added = 0;  ///< number of these that are new to the database
 };
 
-/// Adds sweep and jobs in one transaction. A job that is there already, by its hash, is joined
-/// to the sweep and not added again; the same sweep added twice adds nothing.
+/// Adds a sweep and its jobs in one transaction. A job that exists already, by its hash, joins the
+/// sweep and is not added again. So adding a sweep twice adds nothing.
 AddedSweep add_sweep(Connection& connection, const std::string& name, const std::string& document,
                      std::span<const NewJob> jobs);
 
-/// How many of these hashes the database does not know yet.
+/// The number of these hashes that the database does not have yet.
 std::size_t count_unknown(const Connection& connection, std::span<const NewJob> jobs);
 
-/// add_sweep inside a transaction of the caller.
+/// add_sweep() inside a transaction of the caller.
 AddedSweep add_sweep(SQLite::Database& sql, const std::string& name, const std::string& document,
                      std::span<const NewJob> jobs);
 
@@ -37,20 +37,20 @@ struct JobFilter {
   Selection selection = {};
 };
 
-/// Jobs in the order in which they are to be run: by priority, then the longest first, so that
-/// no long job is left for the end.
+/// Jobs in the order in which they will run: by priority, then the longest first, so that no long
+/// job runs alone at the end.
 std::vector<Job> jobs(const Connection& connection, const JobFilter& filter);
 
-/// The jobs to be started next, at most so many: pending ones that nobody paused.
+/// The next jobs to start, at most `most`: pending jobs that nobody has paused.
 std::vector<Job> next_jobs(const Connection& connection, std::optional<std::int64_t> sweep,
                            std::size_t most);
 
 bool is_member(const Connection& connection, std::int64_t sweep, std::int64_t job);
 
-/// Running jobs that are wanted otherwise.
+/// Running jobs that a user wants to stop.
 std::vector<Job> unwanted_jobs(const Connection& connection);
 
-/// How many jobs of a sweep, or of all, are in which state, and the work that is left.
+/// The number of jobs of a sweep, or of all, in each state, and the remaining work.
 struct JobCounts {
   std::array<std::size_t, job_state_names.size()> in_state = {};
   std::size_t paused = 0;              ///< of the pending ones
@@ -65,27 +65,27 @@ JobCounts count_jobs(const Connection& connection, std::optional<std::int64_t> s
 
 std::string scene(const Connection& connection, std::int64_t job);
 
-/// A worker that was started.
+/// A worker that has started.
 struct Start {
   std::int64_t job = 0;
-  std::string host;     ///< of the manager, until the worker tells its own
-  std::string worker;   ///< what the scheduler calls it
-  std::string version;  ///< of the program
+  std::string host;     ///< host of the manager, until the worker tells its own
+  std::string worker;   ///< its name in the scheduler
+  std::string version;  ///< version of the program
 };
-/// Workers have started: their jobs are running.
+/// Notes that workers have started, so their jobs are running.
 void begin_attempts(Connection& connection, std::span<const Start> starts);
 
-/// The attempt is over and its job goes to `next`, or to cancelled where it was to be pending and
-/// a user wants it so; a crash is counted. Closes the open attempt of the job, where there is
-/// one: a manager that was killed may have noted none. Returns the job's state.
+/// Notes that an attempt has ended. Its job goes to the state `next`; a job that would be pending
+/// goes to cancelled where a user wants that. It counts a crash. It closes the open attempt of the
+/// job, if there is one, since a killed manager may have noted none. Returns the state of the job.
 JobState end_attempt(Connection& connection, std::int64_t job, const AttemptEnd& end,
                      JobState next);
 
-/// end_attempt with the job's result, in one transaction: the job is done.
+/// Ends an attempt with the result of the job, in one transaction. The job is then done.
 void finish(Connection& connection, std::int64_t job, const AttemptEnd& end, const Result& result,
             std::span<const Remnant> remnants);
 
-/// finish inside a transaction of the caller.
+/// finish() inside a transaction of the caller.
 void finish(SQLite::Database& sql, std::int64_t job, const AttemptEnd& end, const Result& result,
             std::span<const Remnant> remnants);
 

@@ -13,24 +13,24 @@ enum class JobState { pending, running, done, failed, cancelled };
 inline constexpr std::array<std::string_view, 5> job_state_names = {"pending", "running", "done",
                                                                     "failed", "cancelled"};
 
-/// What is known of a job before it runs. Units are in the names.
+/// A job before it runs. Units are in the names.
 struct NewJob {
-  std::string hash;   ///< identity: SHA-256 of the canonical scene
+  std::string hash;   ///< its identity, the SHA-256 of the canonical scene
   std::string scene;  ///< canonical JSON
   double q = 0, phi_d_deg = 0, v_imp_cm_per_s = 0, theta_imp_deg = 0;
   double v_over_v_esc = 0;
   std::int64_t particles_per_target = 0, seed = 0;
   double end_time_s = 0;
   double expected_particle_steps = 0;
-  std::string fidelity = {};  ///< empty: its settings have no name
-  int priority = 0;           ///< higher ones come first
+  std::string fidelity = {};  ///< empty where its settings have no name
+  int priority = 0;           ///< jobs of higher priority come first
 };
 
-/// What the user wants of a job, beside what is seen of it.
+/// The user's wish for a job, which may differ from its state.
 enum class Wanted { run, pause, cancel };
 inline constexpr std::array<std::string_view, 3> wanted_names = {"run", "pause", "cancel"};
 
-/// A row of `jobs`, without its scene.
+/// A row of the table `jobs`, without its scene.
 struct Job {
   std::int64_t id = 0;
   std::string hash;
@@ -39,7 +39,7 @@ struct Job {
   int priority = 0;
   int crashes = 0;
   std::optional<double> wall_limit_s = {};
-  double wall_s = 0;  ///< since it was last set to pending by hand
+  double wall_s = 0;  ///< since a user last made it pending
   double q = 0, phi_d_deg = 0, v_imp_cm_per_s = 0, theta_imp_deg = 0;
   double expected_particle_steps = 0;
 };
@@ -48,18 +48,18 @@ enum class ExitReason { finished, failed, stopped, crashed, lost };
 inline constexpr std::array<std::string_view, 5> exit_reason_names = {"finished", "failed",
                                                                       "stopped", "crashed", "lost"};
 
-/// How one attempt at a job ended. Unknown numbers stay empty.
+/// The end of one attempt at a job. Unknown numbers stay empty.
 struct AttemptEnd {
   ExitReason reason = ExitReason::lost;
   std::string failure_kind = {}, message = {};
   std::optional<double> core_seconds = {}, particle_steps = {};
   std::optional<std::int64_t> peak_memory_bytes = {};
-  double wall_s = 0;      ///< that the worker was seen at work
-  std::string host = {};  ///< where it worked; empty: where its manager is
+  double wall_s = 0;      ///< wall time for which the worker was seen at work, s
+  std::string host = {};  ///< its host; empty: that of the manager
   std::optional<std::int64_t> pid = {};
 };
 
-/// A row of `job_results`.
+/// A row of the table `job_results`.
 struct Result {
   std::string outcome_class = {};
   double m_lr_over_m_total = 0, m_slr_over_m_total = 0;
@@ -74,12 +74,11 @@ struct Result {
   int threads = 1;
   std::string solver_version = {}, host = {};
   std::optional<double> ended_at_s = {};  ///< simulated time
-  std::string end_reason = {};            ///< empty: not noted
+  std::string end_reason = {};            ///< empty where it is not known
 };
 
-/// Numbers that tell more of a remnant than its class needs
-/// (analysis/remnants/remnant_details.hpp), by the names of their columns; result.json has the same
-/// names.
+/// Further numbers of a remnant (analysis/remnants/remnant_details.hpp), by the names of their
+/// columns. result.json uses the same names.
 inline constexpr std::array<const char*, 18> remnant_detail_columns = {
     "neck",
     "box_a_m",
@@ -101,7 +100,7 @@ inline constexpr std::array<const char*, 18> remnant_detail_columns = {
     "orbit_v_inf_m_per_s",
 };
 
-/// A row of `job_remnants`.
+/// A row of the table `job_remnants`.
 struct Remnant {
   int rank = 0;
   std::int64_t particles = 0;
@@ -114,7 +113,7 @@ struct Remnant {
   std::optional<double> bound_mass_over_total = {};
   std::optional<double> x_m = {}, y_m = {}, z_m = {}, vx_m_per_s = {}, vy_m_per_s = {},
                         vz_m_per_s = {};
-  std::string shape_class = {};  ///< empty: not told
+  std::string shape_class = {};  ///< empty where it is not known
   std::array<std::optional<double>, remnant_detail_columns.size()> details = {};
 };
 

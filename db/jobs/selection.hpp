@@ -11,13 +11,13 @@
 namespace eerie::db {
 
 struct Range {
-  double lo, hi;  ///< both inclusive
+  double lo, hi;  ///< both ends are included
 };
 
-/// Which jobs a request is about; an empty condition holds for every job.
+/// The jobs that a request concerns. An empty condition holds for every job.
 struct Selection {
-  std::optional<std::string> sweep = {};  ///< by name
-  std::vector<std::string> hashes = {};   ///< whole or their first digits
+  std::optional<std::string> sweep = {};  ///< the name of the sweep
+  std::vector<std::string> hashes = {};   ///< whole hashes or their first digits
   std::optional<double> q = {}, phi_d_deg = {};
   std::optional<Range> v_imp_cm_per_s = {}, theta_imp_deg = {};
 
@@ -26,11 +26,11 @@ struct Selection {
   }
 };
 
-/// Throws InputError for hashes that are none, and numbers that are not finite or in no order: an
-/// empty hash, say, would mean every job.
+/// Throws InputError for words that are no hashes, and for ranges that are not finite or not in
+/// order. An empty hash, for example, would select every job.
 void require_usable(const Selection& selection);
 
-/// " AND ..." for a statement over `jobs`, and its parameters.
+/// The conditions " AND ..." for a statement over `jobs`, with their parameters.
 std::string conditions(const Selection& selection);
 void bind_conditions(SQLite::Statement& statement, const Selection& selection);
 

@@ -17,7 +17,7 @@ inline std::optional<std::string> null_if_empty(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional(text);
 }
 
-/// One value to the parameter `index`; an empty optional becomes NULL.
+/// Binds a value to the parameter `index`. An empty optional becomes NULL.
 template <class T>
 void bind_value(SQLite::Statement& statement, int index, const T& value) {
   if constexpr (requires { value.has_value(); }) {
@@ -34,7 +34,7 @@ void bind_value(SQLite::Statement& statement, int index, const T& value) {
   }
 }
 
-/// Resets the statement and binds the parameters 1, 2, ... in order.
+/// Resets the statement and binds its parameters 1, 2, ... in order.
 template <class... Values>
 void bind_all(SQLite::Statement& statement, const Values&... values) {
   statement.reset();
@@ -43,8 +43,8 @@ void bind_all(SQLite::Statement& statement, const Values&... values) {
   (bind_value(statement, ++index, values), ...);
 }
 
-/// Conditions on a job's point, of any filter that has them: one per set field, each naming its
-/// own parameter.
+/// The conditions of a filter on the point of a job: one per field that is set, each with its own
+/// named parameter.
 template <class Filter>
 std::string point_conditions(const Filter& f) {
   std::string text;
@@ -68,7 +68,7 @@ void bind_point(SQLite::Statement& statement, const Filter& f) {
   }
 }
 
-/// Name of an enumerator in its table, and back.
+/// The name of an enumerator by its table, and the enumerator of a name.
 template <class E, std::size_t n>
 std::string name(const std::array<std::string_view, n>& names, E value) {
   return std::string(names.at(static_cast<std::size_t>(value)));

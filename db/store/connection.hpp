@@ -20,12 +20,12 @@ class WithoutLog;
 enum class Access {
   read,      ///< the file must exist and have this program's schema
   read_any,  ///< the file must exist; its schema may be older
-  write,     ///< the file is created where missing and brought to this program's schema
+  write,     ///< the file is created where it is missing, and gets this program's schema
 };
 
-/// One open database: WAL, foreign keys on, a busy timeout instead of "database is locked".
-/// SQLite's own exceptions leave as db::Error, with the path in front. For reading a database may
-/// lie where nothing can be written (WithoutLog).
+/// An open database. It uses WAL and foreign keys, and waits where SQLite would say "database is
+/// locked". Exceptions of SQLite leave as db::Error with the path in front. A database for reading
+/// may lie where nothing can be written (WithoutLog).
 class Connection {
  public:
   Connection(std::filesystem::path path, Access access);
@@ -33,22 +33,23 @@ class Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Of the file itself, where it was named by a symbolic link.
+  /// The path of the file itself, also where it was named by a symbolic link.
   const std::filesystem::path& path() const { return path_; }
 
-  /// How long to wait where another program is writing, before BusyError: 10 s at first.
+  /// Sets how long a call waits for another writer before it throws BusyError. The initial value is
+  /// 10 s.
   void wait_at_most(std::chrono::milliseconds patience);
 
-  /// Throws GoneError where the file under this name is another than was opened, or none.
+  /// Throws GoneError where the file under this name is missing or is not the one that was opened.
   void require_in_place() const;
 
-  /// Runs `body` on one consistent view of the database.
+  /// Runs `body` on one consistent state of the database.
   void read(const std::function<void(SQLite::Database&)>& body) const;
 
   /// Runs `body` inside BEGIN IMMEDIATE ... COMMIT; an exception rolls all of it back.
   void write(const std::function<void(SQLite::Database&)>& body);
 
-  /// "ok", or SQLite's first complaint about the file.
+  /// SQLite's check of the file: "ok", or its first complaint.
   std::string integrity() const;
 
  private:
@@ -56,7 +57,7 @@ class Connection {
 
   std::filesystem::path path_;
   std::optional<FileIdentity> identity_;
-  std::unique_ptr<WithoutLog> without_log_;  ///< outlives the database
+  std::unique_ptr<WithoutLog> without_log_;  ///< must outlive the database
   std::unique_ptr<SQLite::Database> database_;
 };
 

@@ -4,13 +4,13 @@
 
 namespace eerie::db {
 
-/// The database cannot be used: missing, foreign, too new, full, on the wrong disk. The text
-/// names the file, the reason and the mend.
+/// The database cannot be used: it is missing, foreign, too new, full or on the wrong disk. The
+/// text names the file, the reason and the mend.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Nothing was written or read now, and the same call may succeed later.
+/// The call did nothing, and it may succeed later.
 struct TemporaryError : Error {
   using Error::Error;
 };
@@ -20,18 +20,18 @@ struct FullError : TemporaryError {
   using TemporaryError::TemporaryError;
 };
 
-/// Another program holds the database open for writing.
+/// Another program is writing to the database.
 struct BusyError : TemporaryError {
   using TemporaryError::TemporaryError;
 };
 
-/// The file that was opened is no longer there under its name: removed, or another put in its
-/// place. What is written would be lost.
+/// The file that was opened no longer has its name: it was removed, or another file has replaced
+/// it. Anything written would be lost.
 struct GoneError : Error {
   using Error::Error;
 };
 
-/// Another manager holds the database; the text says which.
+/// Another manager holds the database. The text says which one.
 struct LockedError : Error {
   using Error::Error;
 };

@@ -9,16 +9,17 @@
 
 namespace eerie::db {
 
-/// Held by the one manager that works on a database: by flock on the file itself, whatever name
-/// it is called by, and on "<database>.lock", which says who it is. The kernel lets go when the
-/// process ends, however it ends: nothing is ever unlocked by hand.
+/// The lock of the one manager that works on a database. It is a flock on the file itself, under
+/// any of its names, and on "<database>.lock", which names the holder. The kernel releases it when
+/// the process ends in any way, so nobody ever unlocks by hand.
 class Lock {
  public:
-  /// Long enough for a command that carries out a request on the spot.
+  /// The time to wait for the lock. It suffices for a command that carries out its own request.
   static constexpr std::chrono::milliseconds usual_patience{500};
 
-  /// Makes an empty file where there is none. Throws LockedError naming process and host of the
-  /// holder, where that does not let go in time; InputError and Error as resolved() does.
+  /// Takes the lock and makes an empty file where there is none. Throws LockedError, which names
+  /// process and host of the holder, where that does not release it in time. Throws InputError and
+  /// Error as resolved() does.
   explicit Lock(const std::filesystem::path& database,
                 std::chrono::milliseconds patience = usual_patience);
   ~Lock();
@@ -33,7 +34,8 @@ class Lock {
   int note_ = -1;  ///< descriptor of "<database>.lock"
 };
 
-/// "process 123 on host a since 2024-01-01T00:00:00Z", or nothing when the database is free.
+/// The holder, "process 123 on host a since 2024-01-01T00:00:00Z"; nothing where the database is
+/// free.
 std::optional<std::string> lock_holder(const std::filesystem::path& database);
 
 }  // namespace eerie::db

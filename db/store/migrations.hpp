@@ -9,8 +9,8 @@ class Database;
 
 namespace eerie::db {
 
-/// One step of the schema. Steps are only ever appended: a database of any older version walks
-/// the remaining ones in order.
+/// One step of the schema. New steps are appended only. A database of an older version takes the
+/// remaining steps in order.
 struct Migration {
   int version;
   const char* sql;
@@ -22,10 +22,10 @@ int latest_version();
 /// Throws Error for a file of another program and for a schema newer than this program's.
 void require_ours(SQLite::Database& database, const std::string& path);
 
-/// Throws Error where the schema is older than this program's (readers do not migrate).
+/// Throws Error where the schema is older than this program's, since readers do not migrate.
 void require_current(SQLite::Database& database, const std::string& path);
 
-/// Brings the schema from whatever version to the newest, all or nothing.
+/// Brings the schema from any version to the newest, in one transaction.
 void migrate(SQLite::Database& database);
 
 }  // namespace eerie::db

@@ -7,19 +7,19 @@
 
 namespace eerie::db {
 
-/// The file of a database under its own name: a symbolic link is followed, so that lock, log,
-/// inbox and job directories are the same whatever it is called. Throws InputError for names that
-/// SQLite does not take for a file ("", ":memory:", "file:...") and Error for what is no file of
-/// its own: a folder, a device, or one of several hard links, whose logs SQLite would keep apart.
+/// The file of a database under its own name. It follows symbolic links, so that lock, log, inbox
+/// and job directories are the same under every name. Throws InputError for names that SQLite does
+/// not take as files ("", ":memory:", "file:..."). Throws Error for a folder, a device, or a file
+/// with several hard links, for which SQLite would keep separate logs.
 std::filesystem::path resolved(const std::filesystem::path& database);
 
-/// Which file it is, however it is called.
+/// The identity of a file, which does not depend on its name.
 struct FileIdentity {
   dev_t device = 0;
   ino_t inode = 0;
   bool operator==(const FileIdentity&) const = default;
 };
-/// Nothing where there is no such file.
+/// The identity of the file at this path; nothing where there is none.
 std::optional<FileIdentity> identity(const std::filesystem::path& file);
 
 }  // namespace eerie::db

@@ -2,8 +2,8 @@
 
 namespace eerie::db {
 
-/// Version 1. Tables are the program's own; the views `results`, `remnants` and `maps` are the
-/// stable face for users (docs/database.md), so no table takes one of these names.
+/// Version 1 of the schema. Tables belong to the program. Users rely on the stable views `results`,
+/// `remnants` and `maps` (docs/database.md), so no table has one of these names.
 inline constexpr const char* schema_1 = R"sql(
 CREATE TABLE sweeps (
   id       INTEGER PRIMARY KEY,

@@ -2,8 +2,8 @@
 
 namespace eerie::db {
 
-/// Version 2: a manager that works for weeks. What the user wants of a job stands beside what is
-/// seen of it; requests that were carried out are kept, so that none is carried out twice.
+/// Version 2 serves managers that work for weeks. It stores the user's wish for a job beside its
+/// state. It keeps the requests that were carried out, so that none is carried out twice.
 inline constexpr const char* schema_2 = R"sql(
 CREATE TABLE settings (
   key   TEXT PRIMARY KEY,   -- 'jobs_folder', 'solver_version'

@@ -2,7 +2,7 @@
 
 namespace eerie::db {
 
-/// Version 3: runs that end once settled, and fidelities.
+/// Version 3 adds runs that end once settled, and fidelities.
 inline constexpr const char* schema_3 = R"sql(
 ALTER TABLE jobs ADD COLUMN fidelity TEXT;             -- NULL: settings that have no name
 ALTER TABLE job_results ADD COLUMN ended_at_s REAL;    -- simulated time; NULL: not noted

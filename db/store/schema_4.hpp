@@ -2,8 +2,8 @@
 
 namespace eerie::db {
 
-/// Version 4: which jobs may be averaged. Jobs of one settings differ in impact, friction angle,
-/// seed and output only.
+/// Version 4 says which jobs may be averaged. Jobs with the same settings differ only in impact,
+/// friction angle, seed and output.
 inline constexpr const char* schema_4 = R"sql(
 CREATE TABLE job_settings (
   id    INTEGER PRIMARY KEY,

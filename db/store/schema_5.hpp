@@ -2,8 +2,8 @@
 
 namespace eerie::db {
 
-/// Version 5: remnants in detail, from shape class to orbit. NULL in results of before it, until
-/// they are analysed again.
+/// Version 5 adds details of remnants, from shape class to orbit. They are NULL in older results
+/// until these are analysed again.
 inline constexpr const char* schema_5 = R"sql(
 ALTER TABLE job_remnants ADD COLUMN shape_class TEXT;
 ALTER TABLE job_remnants ADD COLUMN neck REAL;

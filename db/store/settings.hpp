@@ -7,7 +7,7 @@
 
 namespace eerie::db {
 
-// What a database remembers about itself.
+// The settings that a database stores about itself.
 
 std::optional<std::string> setting(const Connection& connection, const std::string& key);
 void set(Connection& connection, const std::string& key, const std::string& value);

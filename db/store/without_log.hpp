@@ -7,13 +7,13 @@
 
 namespace eerie::db {
 
-/// A database for reading where SQLite cannot make its log and the index of that beside it: a
-/// read-only disk or folder, or files of another user. Without a log the file is read as it is;
-/// with one, a copy of both in a folder of its own is. Either way it is the state at the time of
-/// opening: what a manager writes later is not seen.
+/// A database for reading where SQLite cannot create its log and the index of the log: on a
+/// read-only disk or folder, or among files of another user. A file without a log is read directly.
+/// With a log, a copy of both in a temporary folder is read. Either way the reader sees the state
+/// at the time of opening, and nothing that a manager writes later.
 class WithoutLog {
  public:
-  /// Throws SQLite::Exception, or Error where no whole copy can be made.
+  /// Opens the database. Throws SQLite::Exception, or Error where no complete copy can be made.
   explicit WithoutLog(const std::filesystem::path& path);
   ~WithoutLog();
   WithoutLog(const WithoutLog&) = delete;
@@ -23,7 +23,7 @@ class WithoutLog {
   std::unique_ptr<SQLite::Database> database() { return std::move(database_); }
 
  private:
-  std::filesystem::path copies_;  ///< folder; empty: there are none
+  std::filesystem::path copies_;  ///< folder of the copies; empty where there are none
   std::unique_ptr<SQLite::Database> database_;
 };
 

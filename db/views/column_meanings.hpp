@@ -11,25 +11,26 @@ namespace eerie::db {
 
 enum class ColumnKind { number, integer, flag, word };
 
-/// What a column of a view says, for headers of exported files.
+/// The meaning of a column of a view, for headers of exported files.
 struct ColumnMeaning {
   std::string_view name;
-  std::string_view unit;  ///< "": none
+  std::string_view unit;  ///< "" where it has none
   ColumnKind kind = ColumnKind::number;
   std::string_view meaning;
-  std::optional<View> only = {};  ///< where another view has a column of this name for other things
+  std::optional<View> only = {};  ///< set where another view uses this name for another quantity
 };
 
-/// The one table of columns: a new column of a view is a line here.
+/// The one table of columns. A new column of a view is one line here.
 std::span<const ColumnMeaning> column_meanings();
 
-/// nullptr: a column of a later schema that the table lacks.
+/// The entry of a column; nullptr for a column of a later schema.
 const ColumnMeaning* meaning_of(View view, std::string_view column);
 
-/// The unit that a name ends in: "cm/s" of v_imp_cm_per_s; "" where it ends in none.
+/// The unit at the end of a name, such as "cm/s" for v_imp_cm_per_s; "" where there is none.
 std::string_view unit_in_name(std::string_view column);
 
-/// Unit and kind, also of a column that the table lacks: by its name and SQL type.
+/// The unit and kind of a column. For a column that the table lacks they follow from its name and
+/// its SQL type.
 std::string_view unit_of(View view, std::string_view column);
 ColumnKind kind_of(View view, const ViewColumn& column);
 

@@ -13,18 +13,18 @@
 
 namespace eerie::db {
 
-/// Conditions on results; an empty one holds for every result.
+/// Conditions on results. An empty condition holds for every result.
 struct ResultFilter {
   std::optional<std::int64_t> sweep = {};
   std::optional<double> q = {}, phi_d_deg = {};
   std::optional<Range> v_imp_cm_per_s = {}, theta_imp_deg = {};
   std::optional<std::string> outcome_class = {};
-  bool eer_only = false;  ///< at least one remnant is extremely elongated
+  bool eer_only = false;  ///< requires at least one extremely elongated remnant
   std::optional<std::string> fidelity = {};
   std::optional<std::int64_t> settings = {};  ///< db/jobs/job_settings.hpp
 };
 
-/// A row of the view `results`, with the job's point.
+/// A row of the view `results`, with the point of the job.
 struct ResultRow {
   std::int64_t job = 0;
   std::string hash;
@@ -35,35 +35,36 @@ struct ResultRow {
   std::int64_t settings = 0;  ///< db/jobs/job_settings.hpp
   Result result;
   std::string finished;
-  bool stale = false;  ///< made by another solver version than the one that works on the database
+  /// Whether another solver version made it than the one that works on the database.
+  bool stale = false;
   std::string stale_reason;
 };
 
-/// Ordered by q, phi_d, v_imp, theta_imp, seed.
+/// The results that pass a filter, ordered by q, phi_d, v_imp, theta_imp, seed.
 std::vector<ResultRow> results(const Connection& connection, const ResultFilter& filter);
 
-/// Every column of the results that a query of the view finds, in its order.
+/// The results that a query of the view finds, in its order, with every column.
 std::vector<ResultRow> selected_results(const Connection& connection, ViewQuery query);
 
 /// The remnants of a job, the most massive first.
 std::vector<Remnant> remnants(const Connection& connection, std::int64_t job);
 
-/// Processor time of all attempts at a job, s; nothing where that of one is not known, because its
-/// machine or its manager died with it.
+/// The processor time of all attempts at a job, s. Nothing where that of one attempt is not known,
+/// because its machine or its manager died with it.
 std::optional<double> core_seconds(const Connection& connection, std::int64_t job);
 
-/// Counts of a sweep's jobs by state, and what is left and was spent.
+/// The jobs of a sweep by state, the work that is left, and the time that was spent.
 struct SweepStatus {
   std::int64_t id = 0;
   std::string name, created;
   std::map<JobState, std::int64_t> jobs;
-  std::int64_t paused = 0;         ///< of the pending ones
-  std::int64_t stale = 0;          ///< of those done: made by another solver version
+  std::int64_t paused = 0;         ///< number of pending jobs that are paused
+  std::int64_t stale = 0;          ///< number of results from another solver version
   double particle_steps_left = 0;  ///< expected, of pending and running jobs
 };
 std::vector<SweepStatus> sweep_status(const Connection& connection);
 
-/// One cause of failure: how many jobs, and one of them in full.
+/// One cause of failure, with its number of jobs and one example.
 struct FailureGroup {
   std::string kind;
   std::int64_t jobs = 0;
@@ -72,15 +73,15 @@ struct FailureGroup {
 std::vector<FailureGroup> failures(const Connection& connection,
                                    std::optional<std::int64_t> sweep = std::nullopt);
 
-/// Measured over all finished attempts; 0 where nothing has been measured.
+/// The speed over all finished attempts. Numbers are 0 where nothing was measured.
 struct Speed {
   double core_seconds = 0, particle_steps = 0;
-  double expected_over_done = 0;  ///< expected over real particle-steps of finished jobs
+  double expected_over_done = 0;  ///< expected over actual particle-steps of finished jobs
 
   bool is_measured() const { return core_seconds > 0 && particle_steps > 0; }
-  /// Real ones; of a measured speed.
+  /// Actual particle-steps per second. The speed must be measured.
   double particle_steps_per_core_second() const { return particle_steps / core_seconds; }
-  /// What expected particle-steps cost, s; of a measured speed.
+  /// The core-seconds that expected particle-steps cost. The speed must be measured.
   double core_seconds_of(double expected) const {
     const double real = expected_over_done > 0 ? expected / expected_over_done : expected;
     return real / particle_steps_per_core_second();
@@ -96,10 +97,11 @@ struct AttemptRow {
 };
 std::vector<AttemptRow> attempts(const Connection& connection, std::int64_t job);
 
-/// Names of the sweeps that a job belongs to.
+/// The names of the sweeps to which a job belongs.
 std::vector<std::string> sweeps_of(const Connection& connection, std::int64_t job);
 
-/// When the newest result of the sweep was committed, in seconds since 1970; 0 without any.
+/// The time when the newest result of the sweep was committed, in seconds since 1970; 0 without
+/// results.
 double newest_result(const Connection& connection, std::int64_t sweep);
 
 }  // namespace eerie::db

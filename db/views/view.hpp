@@ -17,27 +17,28 @@ class Statement;
 
 namespace eerie::db {
 
-/// The views for users (docs/database.md). `all_jobs` is made by each connection for itself: all
-/// jobs, with their results where they have one.
+/// The views for users (docs/database.md). Each connection makes `all_jobs` for itself: it has all
+/// jobs, with the result of those that have one.
 enum class View { results, remnants, maps, all_jobs };
 inline constexpr std::array<std::string_view, 4> view_names = {"results", "remnants", "maps",
                                                                "all_jobs"};
 
 struct ViewColumn {
   std::string name;
-  std::string declared;  ///< SQL type of the table's column behind it; empty: an expression
+  std::string declared;  ///< SQL type of the column of a table behind it; empty for an expression
 };
 
-/// The columns that the view has in this database, in its order.
+/// The columns of the view in this database, in its order.
 std::vector<ViewColumn> columns(const Connection& connection, View view);
 
-/// What a column must hold; empty values never do, unless asked for.
+/// A condition on a column. Empty values satisfy it only with `empty`.
 struct Condition {
   std::string column;
-  std::optional<double> lo = {}, hi = {};  ///< both inclusive
-  std::vector<std::string> words = {};     ///< one of these; * and ? stand for other letters
-  bool empty = false;                      ///< no value
-  bool negated = false;                    ///< the contrary
+  std::optional<double> lo = {}, hi = {};  ///< both ends are included
+  /// One of these must match; * and ? stand for other letters.
+  std::vector<std::string> words = {};
+  bool empty = false;    ///< whether the column must have no value
+  bool negated = false;  ///< whether the condition is negated
 };
 
 struct SortKey {
@@ -47,26 +48,27 @@ struct SortKey {
 
 struct ViewQuery {
   View view = View::results;
-  std::vector<std::string> columns = {};   ///< empty: all, in the order of the view
+  std::vector<std::string> columns = {};   ///< empty: all columns, in the order of the view
   std::vector<Condition> conditions = {};  ///< all must hold; see is_condition_column()
-  std::vector<std::int64_t> sweeps = {};   ///< of one of these sweeps; empty: of any or none
-  std::vector<SortKey> sort = {};          ///< before the view's own order; empty values last
+  /// The job must belong to one of these sweeps; empty: no condition.
+  std::vector<std::int64_t> sweeps = {};
+  std::vector<SortKey> sort = {};  ///< goes before the view's own order; empty values come last
   std::optional<std::int64_t> limit = {};
-  std::int64_t offset = 0;  ///< rows left out at the start; with a limit
+  std::int64_t offset = 0;  ///< rows to skip at the start; needs a limit
 };
 
 /// A condition may name a column of the view, or of `results` where the view has jobs.
 bool is_condition_column(const Connection& connection, View view, const std::string& column);
 
-/// Whether rows of the view belong to one job each.
+/// Whether each row of the view belongs to one job.
 bool has_jobs(const Connection& connection, View view);
 
-/// Runs `body` on each row. Names that the view does not have throw Error: callers who take them
-/// from people ask first.
+/// Runs `body` on each row. Throws Error for a name that the view does not have; callers must check
+/// names from users first.
 void each_row(const Connection& connection, const ViewQuery& query,
               const std::function<void(SQLite::Statement&)>& body);
 
-/// monostate: no value.
+/// A value of a row. std::monostate means that there is none.
 using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 struct ViewRows {
@@ -74,15 +76,15 @@ struct ViewRows {
   std::vector<ViewColumn> columns;
   std::vector<std::vector<Cell>> rows;
 
-  /// Where the column stands; nothing where it was not asked for.
+  /// The index of a column; nothing where the query does not include it.
   std::optional<std::size_t> find(std::string_view column) const;
 };
 ViewRows rows(const Connection& connection, const ViewQuery& query);
 
-/// All rows that a query finds, whatever its limit.
+/// A summary of all rows that a query finds, without its limit.
 struct ViewSummary {
   std::int64_t rows = 0;
-  std::vector<std::string> differing;  ///< of the columns asked for, those of several values
+  std::vector<std::string> differing;  ///< requested columns that have several values
 };
 ViewSummary summary(const Connection& connection, const ViewQuery& query,
                     const std::vector<std::string>& columns);

@@ -7,7 +7,7 @@
 
 namespace eerie {
 
-/// Axis-aligned box; empty until something is included.
+/// A box along the axes. It is empty until it includes a point.
 struct Box {
   Vec3 lo{inf, inf, inf}, hi{-inf, -inf, -inf};
 

@@ -18,18 +18,18 @@ struct EnvironmentError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// There is no room on a disk: the same may succeed later.
+/// A disk is full. The same work may succeed later.
 struct DiskFullError : EnvironmentError {
   using EnvironmentError::EnvironmentError;
 };
 
-/// The computation itself went wrong: NaN, negative density, lost particle (exit 1).
+/// The computation itself went wrong: a NaN, a negative density, a lost particle (exit 1).
 struct NumericalError : std::runtime_error {
   NumericalError(std::string kind_, long step_, long particle_id_, const std::string& text)
       : std::runtime_error(text), kind(std::move(kind_)), step(step_), particle_id(particle_id_) {}
   std::string kind;  ///< e.g. "not-finite", "negative-density"
   long step;
-  long particle_id;  ///< -1 when no single particle is to blame
+  long particle_id;  ///< -1 where no single particle caused it
 };
 
 }  // namespace eerie

@@ -7,12 +7,12 @@
 
 namespace eerie {
 
-// Several particles at once: their numbers from arrays of structures into packs and back. `count`
-// of the lanes are particles; the others read zero and are not written.
+// These functions move the numbers of several particles from arrays of structures into packs and
+// back. `count` of the lanes are particles; the other lanes read zero and are not written.
 
 using DoublePack = Pack<double>;
 
-/// Lane l is value(l).
+/// Makes a pack whose lane l is value(l).
 template <class Value>
 [[gnu::always_inline]] inline DoublePack gathered(std::size_t count, Value&& value) {
   DoublePack pack{};
@@ -23,7 +23,7 @@ template <class Value>
   return pack;
 }
 
-/// put(l, lane l).
+/// Calls put(l, lane l) for each of the lanes.
 template <class Put>
 [[gnu::always_inline]] inline void scatter(std::size_t count, DoublePack pack, Put&& put) {
   if (count == lanes<double>)

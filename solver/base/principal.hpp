@@ -4,10 +4,11 @@
 
 namespace eerie {
 
-/// Largest eigenvalue of a symmetric tensor: of a stress, the largest tension.
+/// The largest eigenvalue of a symmetric tensor. For a stress this is the largest tension.
 double largest_principal(const SymTensor& s);
 
-/// Sum over the positive eigenvalues s_k of s_k e_k (x) e_k: the tensile part of a stress.
+/// The sum of s_k e_k (x) e_k over the positive eigenvalues s_k. For a stress this is its tensile
+/// part.
 SymTensor positive_part(const SymTensor& s);
 
 }  // namespace eerie

@@ -8,19 +8,20 @@
 
 namespace eerie {
 
-/// splitmix64 (Steele, Lea & Flood 2014): the same stream on every platform, unlike the
-/// distributions of <random>. Seeded from the scene, one stream per purpose.
+/// The generator splitmix64 (Steele, Lea & Flood 2014). It gives the same stream on every platform,
+/// which the distributions of <random> do not. The scene gives the seed; each purpose has its own
+/// stream.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t stream) : state_(seed * 0x9e3779b97f4a7c15ULL + stream) {
     next();
   }
 
-  /// Uniform in [0, 1).
+  /// A number, uniform in [0, 1).
   double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
   double uniform(double lo, double hi) { return lo + (hi - lo) * uniform(); }
 
-  /// Uniform on the unit sphere.
+  /// A direction, uniform on the unit sphere.
   Vec3 direction() {
     const double z = uniform(-1, 1), azimuth = uniform(0, 2 * pi), s = std::sqrt(1 - z * z);
     return {s * std::cos(azimuth), s * std::sin(azimuth), z};

@@ -5,7 +5,8 @@
 
 namespace eerie {
 
-/// SHA-256 in 64 lower-case hex digits. Throws EnvironmentError where OpenSSL has none.
+/// The SHA-256 of a text, in 64 lower-case hexadecimal digits. Throws EnvironmentError where
+/// OpenSSL offers no SHA-256.
 std::string sha256_hex(std::string_view bytes);
 
 }  // namespace eerie

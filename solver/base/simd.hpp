@@ -10,9 +10,9 @@
 #include <immintrin.h>
 #endif
 
-/// The one place that knows vector registers. Physics is written once, on Pack<T>, with plain
-/// operators; this file gives the width, the few functions that operators lack, and the loading
-/// of scattered rows. No result depends on the thread, only on the width that was compiled in.
+/// This is the one file that knows vector registers. Physics is written once, on Pack<T>, with
+/// plain operators. This file adds the width, the few functions that operators lack, and the
+/// loading of scattered rows. Results depend on the compiled width and never on the thread.
 namespace eerie {
 
 #if defined(__AVX512F__)
@@ -30,7 +30,8 @@ template <class T>
 struct PackOf {
   typedef T type __attribute__((vector_size(vector_bytes)));
 };
-/// As many T as fit one vector register; a GCC vector type, so + - * / and ?: work on it.
+/// As many T as fit into one vector register. It is a vector type of GCC, so + - * / and ?: work on
+/// it.
 template <class T>
 using Pack = typename PackOf<T>::type;
 template <class T>
@@ -40,7 +41,7 @@ template <class T>
 struct QuadOf {
   typedef T type __attribute__((vector_size(4 * sizeof(T))));
 };
-/// Four numbers that belong together, such as a row of a matrix and one more.
+/// Four numbers that belong together, such as a row of a matrix and one further number.
 template <class T>
 using Quad = typename QuadOf<T>::type;
 
@@ -49,7 +50,7 @@ inline Pack<T> splat(T value) {
   return Pack<T>{} + value;
 }
 
-/// max(x, 0), lane by lane; works for scalars too.
+/// max(x, 0) in each lane. It takes scalars too.
 template <class P>
 inline P positive_part(P x) {
   return x > 0 ? x : P{};
@@ -84,8 +85,8 @@ inline std::uint16_t* append_less(Pack<float> p, float limit, std::uint16_t firs
 #endif
 }
 
-/// 1/sqrt(x) for x > 0, to the precision of the type: an estimate with Newton steps where the
-/// machine has one, else a square root and a division.
+/// 1/sqrt(x) for x > 0, to the precision of the type. It refines the machine's estimate with Newton
+/// steps; machines without an estimate take a square root and a division.
 template <class P>
 inline P inverse_sqrt(P x) {
   P y;
@@ -119,10 +120,10 @@ inline Pack<float> inverse(Pack<float> x) {
 }
 #endif
 
-// Rows of eight or sixteen numbers, found by their *places*: offsets in row units of eight bytes,
-// which address arithmetic scales for nothing.
+// Rows of eight or sixteen numbers. A *place* says where a row begins, in row units of eight bytes:
+// the processor multiplies an address by eight at no cost.
 
-/// Length of a row of eight numbers in row units.
+/// The length of a row of eight numbers, in row units.
 template <class T>
 inline constexpr std::size_t row_units = sizeof(T);
 
@@ -137,7 +138,7 @@ struct Columns {
   Pack<T> c[8];
 };
 
-/// Lane l of c[k] is number k of the row of eight at place[l].
+/// Loads one row of eight per lane: lane l of c[k] is number k of the row at place[l].
 template <class T>
 inline Columns<T> load_columns(const T* rows, const std::uint16_t* place) {
   Columns<T> out;
@@ -163,9 +164,9 @@ constexpr int quad_place(int lane) {
   return 4 * lane;
 }
 
-/// A sum of rows of sixteen numbers, four quads, each times a quad of weights:
-/// s[4 a + k] = sum over rows of row[4 a + k] weight[k]. In two or four parts, so that additions
-/// need not wait for one another.
+/// A weighted sum of rows of sixteen numbers, that is four quads: s[4 a + k] = sum over rows of
+/// row[4 a + k] weight[k]. The sum is kept in two or four parts, so that additions need not wait
+/// for one another.
 template <class T>
 struct QuadSums {
   static constexpr int packs = 16 / lanes<T>, chains = packs == 1 ? 4 : packs == 2 ? 2 : 1;
@@ -194,7 +195,7 @@ struct QuadSums {
     std::memcpy(&p, from, sizeof p);
     return p;
   }
-  /// Pack number p of a row that repeats a quad.
+  /// Pack p of a row that repeats one quad.
   static Pack<T> repeated(const T* quad, int p) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(T) == 4)
@@ -212,7 +213,7 @@ struct QuadSums {
 template <>
 [[gnu::always_inline]] inline Columns<float> load_columns(const float* rows,
                                                           const std::uint16_t* place) {
-  __m512d pair[8];  // rows k and k + 8, then ever more of one column together
+  __m512d pair[8];  // rows k and k + 8; each round then joins more of one column
 #pragma GCC unroll 8
   for (int k = 0; k < 8; ++k)
     pair[k] = _mm512_insertf64x4(
@@ -292,11 +293,11 @@ template <>
 }
 #endif
 
-/// How many Pack<double> hold the lanes of one Pack<T>.
+/// The number of Pack<double> that hold the lanes of one Pack<T>.
 template <class T>
 inline constexpr std::size_t parts = sizeof(double) / sizeof(T);
 
-/// Part p of a pack in double precision.
+/// Part p of a pack, in double precision.
 template <class T>
 inline Pack<double> widened(Pack<T> x, std::size_t p) {
   Pack<double> y;
@@ -313,7 +314,7 @@ inline Pack<double> widened<float>(Pack<float> x, std::size_t p) {
 }
 #endif
 
-/// Places of rows of `numbers` numbers that lie one after another.
+/// The places of rows of `numbers` numbers that lie one after another in memory.
 template <class T, std::size_t numbers>
 inline constexpr auto rising = [] {
   std::array<std::uint16_t, lanes<T>> place{};
@@ -322,8 +323,8 @@ inline constexpr auto rising = [] {
   return place;
 }();
 
-/// out[k] = sum over the lanes of in[k], always in the same order; `out` has room for a multiple
-/// of 16.
+/// Sums the lanes of each pack: out[k] = sum over the lanes of in[k], always in the same order.
+/// `out` needs room for a multiple of 16.
 template <int N, class T>
 inline void lane_sums(const Pack<T> (&in)[N], T* out) {
   for (int k = 0; k < N; ++k) {
@@ -335,7 +336,7 @@ inline void lane_sums(const Pack<T> (&in)[N], T* out) {
   }
 }
 #if defined(__AVX512F__)
-/// Sixteen at a time: a transpose that adds where it would only move.
+/// Sums sixteen packs at a time: a transposition that adds pairs of lanes.
 template <int N>
 [[gnu::always_inline]] inline void lane_sums(const Pack<float> (&in)[N], float* out) {
   const auto of = [&](int k) __attribute__((always_inline))->__m512 {
@@ -359,7 +360,7 @@ template <int N>
     _mm512_storeu_ps(out + k, quarters(low, high));
   }
 }
-/// Eight at a time.
+/// Sums eight packs at a time.
 template <int N>
 [[gnu::always_inline]] inline void lane_sums(const Pack<double> (&in)[N], double* out) {
   const auto of = [&](int k) __attribute__((always_inline))->__m512d {

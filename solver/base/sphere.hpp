@@ -14,19 +14,19 @@ struct Sphere {
 
 inline double mass(const Sphere& s) { return s.density * sphere_volume(s.radius); }
 
-/// Pressure in the middle of a sphere that bears its own weight, (2/3) pi G rho^2 R^2, Pa: Sugiura
-/// et al. (2019), Eq. (3).
+/// The pressure at the centre of a sphere under its own weight, (2/3) pi G rho^2 R^2, Pa (Sugiura
+/// et al. 2019, Eq. 3).
 inline double central_pressure(const Sphere& s) {
   return 2 * pi / 3 * newton_G * s.density * s.density * s.radius * s.radius;
 }
 
-/// Escape speed from the surface, R sqrt((8/3) pi G rho), m/s.
+/// The escape speed from the surface of a sphere, R sqrt((8/3) pi G rho), m/s.
 inline double escape_speed(const Sphere& s) {
   return s.radius * std::sqrt(8 * pi / 3 * newton_G * s.density);
 }
 
-/// Mutual escape speed at contact, sqrt(2 G (M_t + M_i) / (R_t + R_i)), m/s, of `target` and an
-/// impactor of the same density and of `q` times its mass.
+/// The mutual escape speed at contact, sqrt(2 G (M_t + M_i) / (R_t + R_i)), m/s. The impactor has
+/// the density of `target` and `q` times its mass.
 inline double mutual_escape_speed(const Sphere& target, double q) {
   return std::sqrt(2 * newton_G * mass(target) * (1 + q) /
                    (target.radius + target.radius * std::cbrt(q)));

@@ -7,8 +7,8 @@
 
 namespace eerie {
 
-/// The named stages of a step, in the order in which they run. One table: timing, printing
-/// and result files walk it.
+/// The named stages of a step, in the order in which they run. Timing, printing and result files
+/// all use this one table.
 enum class Stage : std::size_t {
   integrate,
   reorder,
@@ -23,7 +23,7 @@ inline constexpr std::size_t stage_count = static_cast<std::size_t>(Stage::count
 inline constexpr std::array<std::string_view, stage_count> stage_names = {
     "integrate", "reorder", "neighbours", "material", "pairs", "gravity", "output"};
 
-/// Wall seconds spent in each stage.
+/// The wall time spent in each stage, s.
 struct StageTimes {
   std::array<double, stage_count> seconds{};
   double total() const {

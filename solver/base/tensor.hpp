@@ -7,8 +7,8 @@
 
 namespace eerie {
 
-// Every type here is a template over its numbers: double, or a Pack of them (simd.hpp) where the
-// same formula runs for several particles at once.
+// Every type here is a template over its numbers: double for one particle, or a Pack (simd.hpp) for
+// several particles at once.
 
 /// General 3x3 matrix, row-major: m[row][column].
 template <class T>
@@ -38,7 +38,7 @@ struct SymTensorOf {
 };
 using SymTensor = SymTensorOf<double>;
 
-/// In single precision, for arrays of what is no more exact than that.
+/// A tensor in single precision, for arrays whose numbers are no more exact.
 using SymTensorf = SymTensorOf<float>;
 constexpr SymTensorf to_single(const SymTensor& s) {
   return {static_cast<float>(s.xx), static_cast<float>(s.yy), static_cast<float>(s.zz),
@@ -64,7 +64,7 @@ constexpr T trace(const SymTensorOf<T>& s) {
   return s.xx + s.yy + s.zz;
 }
 
-/// s : s, the full double contraction (off-diagonals count twice).
+/// s : s, the full double contraction. Each component off the diagonal counts twice.
 template <class T>
 constexpr T contract(const SymTensorOf<T>& s) {
   return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
@@ -110,7 +110,7 @@ constexpr T determinant(const SymTensorOf<T>& s) {
          s.xz * (s.xy * s.yz - s.yy * s.xz);
 }
 
-/// Inverse by cofactors, given the determinant (must not be 0).
+/// The inverse by cofactors. `det` is the determinant and must not be 0.
 template <class T>
 constexpr SymTensorOf<T> inverse(const SymTensorOf<T>& s, T det) {
   const T f = 1 / det;

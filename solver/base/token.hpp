@@ -8,8 +8,8 @@
 
 namespace eerie {
 
-/// The alternative of a variant whose `token` is the given one, made from `arguments`. Throws
-/// InputError naming `field` where none has it.
+/// Makes the alternative of a variant whose `token` is the given one, from `arguments`. Throws
+/// InputError, which names `field`, where no alternative has that token.
 template <class Variant, std::size_t I = 0, class... Arguments>
 Variant make_by_token(const std::string& field, const std::string& token,
                       const Arguments&... arguments) {

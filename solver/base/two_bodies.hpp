@@ -7,28 +7,29 @@
 
 namespace eerie {
 
-/// Two spheres that touch, as they come together: SI, the angle (rad) between their relative
+/// Two spheres at the moment of contact, in SI. The angle (rad) lies between their relative
 /// velocity and the line of their centres.
 struct Contact {
   double distance = 0, speed = 0, angle = 0;
-  double mu = 0;  ///< G times the mass of both
+  double mu = 0;  ///< G times the sum of the masses, m^3/s^2
 };
 
-/// Of `target` and an impactor of the same density and of `q` times its mass.
+/// The contact of `target` with an impactor of the same density and `q` times its mass.
 inline Contact contact_of(const Sphere& target, double q, double speed, double angle) {
   return {target.radius + target.radius * std::cbrt(q), speed, angle,
           newton_G * mass(target) * (1 + q)};
 }
 
-/// Square of the radial speed, (m/s)^2, that two bodies had `distance` apart, by the energy and the
-/// angular momentum of their Kepler orbit. Negative: they never were that far apart.
+/// The square of the radial speed, (m/s)^2, when the two centres were `distance` apart. It follows
+/// from the energy and the angular momentum of their Kepler orbit. A negative value means that they
+/// never were that far apart.
 inline double radial_speed2(const Contact& c, double distance) {
   const double momentum = c.distance * c.speed * std::sin(c.angle);
   return c.speed * c.speed + 2 * c.mu * (1 / distance - 1 / c.distance) -
          momentum * momentum / (distance * distance);
 }
 
-/// The least speed at contact, m/s, of bodies that were `distance` apart before, at the angle of
+/// The least speed at contact, m/s, with which bodies can arrive from `distance`, at the angle of
 /// `c`.
 inline double least_contact_speed(const Contact& c, double distance) {
   const double part = c.distance * std::sin(c.angle) / distance;

@@ -4,7 +4,7 @@
 
 namespace eerie {
 
-/// Three Cartesian components; the unit is that of the quantity held.
+/// Three Cartesian components, in the unit of the quantity that they hold.
 struct Vec3 {
   double x = 0, y = 0, z = 0;
 
@@ -16,7 +16,7 @@ struct Vec3 {
   constexpr bool operator==(const Vec3&) const = default;
 };
 
-/// In single precision, for arrays of what is no more exact than that.
+/// A vector in single precision, for arrays whose numbers are no more exact.
 struct Vec3f {
   float x = 0, y = 0, z = 0;
 

@@ -2,9 +2,9 @@
 
 namespace eerie {
 
-/// Changes whenever the same scene may give other numbers, and only then; the version of the
-/// program changes for other reasons too. A run never goes on from a checkpoint of another one:
-/// its result would be of neither.
+/// The version of the solver. It changes when, and only when, the same scene may give other
+/// numbers; the version of the program has other reasons to change. A run never continues a
+/// checkpoint of another solver version, since its result would belong to neither.
 inline constexpr const char* solver_version = "0.1.0";
 
 }  // namespace eerie

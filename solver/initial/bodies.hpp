@@ -6,47 +6,48 @@
 
 namespace eerie::initial {
 
-/// A body on its way to rest: packed with particles, given the hydrostatic density profile of a
-/// self-gravitating sphere, then settled by damped steps of the solver itself until its own forces
-/// balance. Between two cycles it may be put away and gone on with: the same bits come out.
+/// A body on its way to rest. It is packed with particles and gets the hydrostatic density profile
+/// of a self-gravitating sphere. Damped steps of the solver then settle it until its forces
+/// balance. A run may be interrupted between two cycles and continues with the same bits.
 class Settling {
  public:
   Settling(const Scene& scene, particles::Body body);
-  /// Goes on with what solver() was.
+  /// Continues from the solver of an interrupted settling.
   Settling(const Scene& scene, particles::Body body, step::Solver begun);
 
   bool is_at_rest() const;
-  /// A few damped steps. Throws NumericalError where it does not come to rest.
+  /// Makes a few damped steps. Throws NumericalError where the body does not come to rest.
   void cycle();
   const step::Solver& solver() const { return solver_; }
-  /// At the origin, without speed and heat, at time 0; ids are 0..n-1.
+  /// The body at the origin at time 0, without velocity and heat. Its ids are 0 to n-1.
   particles::State body() const;
 
  private:
   Scene scene_;
   particles::Body body_;
   double radius_;    ///< m
-  double crossing_;  ///< of sound, s
+  double crossing_;  ///< time that sound needs to cross the body, s
   step::Solver solver_;
 };
 
-/// One body alone at the origin, at rest: Settling to its end. Throws NumericalError if it does not
-/// come to rest.
+/// Makes one body alone, at rest at the origin, by Settling to its end. Throws NumericalError where
+/// it does not come to rest.
 particles::State make_body(const Scene& scene, particles::Body body);
 
-/// Target and impactor on their orbit, `impact.separation` contact distances apart, in the
-/// frame of their common centre of mass; time 0. Ids run through the target first.
+/// Makes target and impactor on their orbit at time 0, `impact.separation` contact distances apart,
+/// in the frame of their common centre of mass. The particles of the target have the first ids.
 particles::State make_impact(const Scene& scene);
 
-/// Two bodies, as Settling leaves them, on their orbit.
+/// Puts two bodies, as Settling leaves them, on their orbit.
 particles::State on_their_orbit(const Scene& scene, const particles::State& target,
                                 const particles::State& impactor);
 
-/// Throws InputError where there is no orbit that brings the bodies together as the scene says:
-/// known before they are made.
+/// Throws InputError where no orbit brings the bodies together as the scene says. It needs no
+/// bodies, so mistakes show at once.
 void require_orbit(const Scene& scene);
 
-/// make_impact with bodies that have not come to rest: made at once, for measuring speed.
+/// make_impact() with bodies that have not come to rest. It is quick and serves measurements of
+/// speed.
 particles::State make_unsettled_impact(const Scene& scene);
 
 }  // namespace eerie::initial

@@ -4,19 +4,19 @@
 
 namespace eerie::initial {
 
-/// Relative position and velocity (impactor minus target) of two bodies, SI.
+/// The relative position and velocity (impactor minus target) of two bodies, in SI.
 struct RelativeOrbit {
   Vec3 position, velocity;
 };
 
-/// Contact at distance `contact` with speed v_imp, the velocity at angle theta_imp to the line of
-/// centres (0: head-on). The velocity at contact points along -x, the orbit lies in the x-y
-/// plane, its angular momentum along +z.
+/// The state at contact: the centres are `contact` apart, the relative speed is v_imp, and the
+/// velocity makes the angle theta_imp (0: head-on) with the line of centres. The velocity points
+/// along -x, the orbit lies in the x-y plane, and its angular momentum points along +z.
 RelativeOrbit orbit_at_contact(double contact, double v_imp, double theta_imp);
 
-/// The same two-body orbit (Kepler, gravitational parameter mu = G (M_t + M_i)) at the earlier
-/// time when the distance was `distance` and shrinking. Throws InputError when the orbit never
-/// was that far apart (v_imp below the escape speed).
+/// The state on the same Kepler orbit, with mu = G (M_t + M_i), at the earlier time when the
+/// distance was `distance` and decreasing. Throws InputError where the bodies never were that far
+/// apart (v_imp below the escape speed).
 RelativeOrbit orbit_before_contact(const RelativeOrbit& at_contact, double mu, double distance);
 
 }  // namespace eerie::initial

@@ -9,10 +9,10 @@
 
 namespace eerie::initial {
 
-/// `n` points filling a sphere of the given radius at uniform number density, centre of mass at
-/// the origin. "glass": disordered but even, from repelling points in a periodic box, so no
-/// direction is preferred and no plane slips more easily; "lattice": a randomly turned and
-/// shifted face-centred cubic lattice. Throws InputError for another name.
+/// Fills a sphere of the given radius with `n` points of uniform number density, whose centre of
+/// mass is the origin. "glass" is disordered but even: points repel each other in a periodic box,
+/// so no direction is preferred and no plane slips more easily. "lattice" is a face-centred cubic
+/// lattice, randomly turned and shifted. Throws InputError for another name.
 std::vector<Vec3> packed_sphere(const std::string& packing, std::size_t n, double radius,
                                 Random& random);
 

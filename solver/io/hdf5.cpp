@@ -126,11 +126,11 @@ Handle memory_access() {
 
 /// Catches the buffer of a file in memory at the moment when it is closed. (H5Fget_file_image()
 /// would do the same for an open file, but leaves its superblock with a wrong checksum.)
-struct Image {
+struct FileImage {
   std::size_t size = 0;  ///< of the file; the buffer is longer
   std::string bytes;
 };
-H5FD_file_image_callbacks_t image_callbacks(Image& image) {
+H5FD_file_image_callbacks_t image_callbacks(FileImage& image) {
   using Op = H5FD_file_image_op_t;
   H5FD_file_image_callbacks_t c{};
   c.image_malloc = [](size_t size, Op, void*) { return std::malloc(size); };
@@ -139,7 +139,7 @@ H5FD_file_image_callbacks_t image_callbacks(Image& image) {
   };
   c.image_realloc = [](void* buffer, size_t size, Op, void*) { return std::realloc(buffer, size); };
   c.image_free = [](void* buffer, Op op, void* user) {
-    Image& caught = *static_cast<Image*>(user);
+    FileImage& caught = *static_cast<FileImage*>(user);
     if (op == H5FD_FILE_IMAGE_OP_FILE_CLOSE)
       caught.bytes.assign(static_cast<const char*>(buffer), caught.size);
     std::free(buffer);
@@ -170,7 +170,7 @@ void require(herr_t status, const std::string& doing) {
 }
 
 std::string new_file(const std::function<void(hid_t)>& fill) {
-  Image image;
+  FileImage image;
   const Handle access = memory_access();
   const Handle creation = timeless(H5P_FILE_CREATE);
   H5FD_file_image_callbacks_t callbacks = image_callbacks(image);

@@ -13,29 +13,28 @@
 #include "solver/base/tensor.hpp"
 #include "solver/base/vec3.hpp"
 
-/// The little of HDF5's C interface that snapshots need, with handles that close themselves.
-/// Files are built and read in memory: the disk is touched by plain reads and writes only, whose
-/// errors have names.
+/// The part of HDF5's C interface that snapshots need, with handles that close themselves. Files
+/// are built and read in memory. Only plain reads and writes touch the disk, since their errors
+/// have names.
 namespace eerie::io::h5 {
 
-/// An HDF5 call failed, or a file does not hold what was asked of it. Callers turn it into
-/// InputError or EnvironmentError.
+/// Thrown where an HDF5 call fails, or where a file lacks what the caller asks for. Callers turn it
+/// into InputError or EnvironmentError.
 struct Failure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// `id` where it is valid; throws Failure "<doing>: <HDF5's innermost reason>" where it is not.
+/// Returns `id` where it is valid. Throws Failure "<doing>: <HDF5's innermost reason>" otherwise.
 hid_t checked(hid_t id, const std::string& doing);
-/// The same for calls that return a status.
+/// Checks the status that a call returns, in the same way.
 void require(herr_t status, const std::string& doing);
 
-/// Keeps HDF5 from printing its error stack in this thread, as long as it lives. Goes before any
-/// other use of HDF5.
+/// While it lives, HDF5 prints no error stack in this thread. It goes before any other use of HDF5.
 class Silence {
  public:
   Silence() {
-    // After a damaged file the library's clean-up at exit goes round in circles and says so on
-    // stderr; files in memory need none.
+    // After a damaged file the library's clean-up at exit does not end and complains on stderr.
+    // Files in memory need no clean-up.
     [[maybe_unused]] static const herr_t no_clean_up_at_exit = H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -49,7 +48,7 @@ class Silence {
   void* data_ = nullptr;
 };
 
-/// Owner of one HDF5 identifier.
+/// Owns one HDF5 identifier and closes it.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -67,7 +66,7 @@ class Handle {
   Close close_;
 };
 
-/// How one element of an array lies in a file: `columns` numbers of one type.
+/// The layout of one array element in a file: `columns` numbers of one type.
 template <class T>
 struct Layout;
 template <>
@@ -110,19 +109,19 @@ struct Layout<SymTensorOf<T>> : Layout<T> {
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(SymTensor) == 6 * sizeof(double));
 static_assert(sizeof(Vec3f) == 3 * sizeof(float) && sizeof(SymTensorf) == 6 * sizeof(float));
 
-/// The bytes of a new file that `fill` was called on. Its metadata carry checksums (format of
-/// HDF5 1.10) and no time stamps: equal content gives equal bytes.
+/// Makes a file in memory, calls `fill` on it and returns its bytes. Its metadata carry checksums
+/// (format of HDF5 1.10) and no time stamps, so equal content gives equal bytes.
 std::string new_file(const std::function<void(hid_t file)>& fill);
-/// A file from its bytes. Throws Failure for bytes that are not a whole HDF5 file.
+/// Opens a file from its bytes. Throws Failure for bytes that are not a whole HDF5 file.
 Handle open_bytes(const std::string& bytes);
 
 Handle new_group(hid_t parent, const char* name);
 Handle open_group(hid_t parent, const char* name);
-/// Throws Failure for links that are not hard: they may lead to other files.
+/// Throws Failure for links that are not hard, since they may lead to other files.
 bool has(hid_t parent, const char* name);
 
-/// Chunked, compressed (shuffle, gzip) and checksummed (fletcher32); shape (rows) or (rows,
-/// columns). Returns the open dataset, for attributes.
+/// Writes a dataset of shape (rows) or (rows, columns): chunked, compressed (shuffle, gzip) and
+/// checksummed (fletcher32). Returns the open dataset, for attributes.
 Handle write_array(hid_t parent, const char* name, hid_t type, hsize_t rows, hsize_t columns,
                    const void* data);
 template <class T>
@@ -130,10 +129,10 @@ Handle write_array(hid_t parent, const char* name, std::span<const T> data) {
   return write_array(parent, name, Layout<T>::type(), data.size(), Layout<T>::columns, data.data());
 }
 
-/// Number of rows of a dataset that has the given type and columns; Failure where it has not, where
-/// its content lies in other files, and where it claims more than the file could hold.
+/// The number of rows of a dataset. Throws Failure where its type or columns differ, where its
+/// content lies in other files, and where it claims more rows than the file could hold.
 hsize_t rows_of(hid_t parent, const char* name, hid_t type, hsize_t columns);
-/// Fills `data` with all rows; Failure where type or shape differ or a checksum is wrong.
+/// Fills `data` with all rows. Throws Failure where type or shape differ, or a checksum is wrong.
 void read_array(hid_t parent, const char* name, hid_t type, hsize_t rows, hsize_t columns,
                 void* data);
 template <class T>
@@ -141,12 +140,13 @@ void read_array(hid_t parent, const char* name, std::span<T> data) {
   read_array(parent, name, Layout<T>::type(), data.size(), Layout<T>::columns, data.data());
 }
 
-/// Attributes of shape (values.size()): readers of SWIFT files want length 1, not scalars.
+/// Writes an attribute of shape (values.size()). Readers of SWIFT files expect length 1 and no
+/// scalars.
 void write_attribute(hid_t object, const char* name, std::span<const double> values);
 void write_attribute(hid_t object, const char* name, std::span<const std::int64_t> values);
 void write_attribute(hid_t object, const char* name, double value);
 void write_attribute(hid_t object, const char* name, std::int64_t value);
-/// A scalar string of fixed length: yt cannot read variable ones.
+/// Writes a scalar string of fixed length, since yt cannot read variable ones.
 void write_attribute(hid_t object, const char* name, const std::string& text);
 
 bool has_attribute(hid_t object, const char* name);

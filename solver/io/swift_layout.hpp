@@ -5,19 +5,19 @@
 
 namespace eerie::io {
 
-/// Writes one field, with SWIFT's description and unit attributes, into `group` under the name
-/// of the field tables (state.hpp).
+/// Writes one field into `group`, under its name in the field tables (state.hpp), with SWIFT's
+/// attributes for description and unit.
 template <class T>
 void write_field(hid_t group, const char* name, std::span<const T> data);
 
-/// Writes what readers of SWIFT files (yt, swiftsimio) and of VTKHDF files (ParaView) look for,
-/// by links to the exact fields in `state_group` wherever those will do. Nothing of it is read
-/// back. docs/formats.md lists it.
+/// Writes the groups that readers of SWIFT files (yt, swiftsimio) and of VTKHDF files (ParaView)
+/// expect. Where possible these are links to the exact fields in `state_group`. eerie never reads
+/// them back. docs/formats.md lists them.
 void write_swift_groups(hid_t file, hid_t state_group, const Snapshot& snapshot);
 void write_vtkhdf_group(hid_t file, const Snapshot& snapshot);
 
-/// Smallest axis-aligned box with a margin around all particles: readers drop or wrap what lies
-/// outside [0, size].
+/// The smallest box along the axes, with a margin, around all particles. Readers drop or wrap
+/// particles outside [0, size].
 struct SnapshotBox {
   Vec3 low;   ///< m; Coordinates = exact position - low
   Vec3 size;  ///< m

@@ -6,14 +6,14 @@
 
 namespace eerie::io {
 
-/// Meaning and dimension (powers of kg, m, s) of a dataset, for its attributes.
+/// The meaning and the dimension (powers of kg, m, s) of a dataset, for its attributes.
 struct FieldUnit {
   std::string_view name, description;
   int mass, length, time;
 };
 
-/// One row for each dataset that a snapshot can hold. A field without one is saved all the same,
-/// without unit attributes; a test sees to it that none is missing.
+/// The table has one row for each dataset that a snapshot can hold. A field without a row would be
+/// saved without unit attributes; a test checks that no row is missing.
 inline constexpr std::array field_units = {
     FieldUnit{"ParticleIDs", "0..N-1, fixed for the whole run", 0, 0, 0},
     FieldUnit{"BodyIDs", "0: from the target, 1: from the impactor", 0, 0, 0},
@@ -44,7 +44,7 @@ inline constexpr std::array field_units = {
     FieldUnit{"ListCoordinates", "positions when the neighbour lists were built", 0, 1, 0},
 };
 
-/// The row of a dataset, or nullptr.
+/// The row of a dataset; nullptr where there is none.
 constexpr const FieldUnit* unit_of(std::string_view name) {
   const auto* row = std::ranges::find(field_units, name, &FieldUnit::name);
   return row == field_units.end() ? nullptr : row;

@@ -9,19 +9,20 @@
 
 namespace eerie::material {
 
-/// Granular friction of fully damaged material (Drucker & Prager 1952): the deviator may not
-/// exceed Y = cohesion + mu_d p. Intact strength (megapascals) would cap Y; pressures of rubble
-/// piles (pascals) never come near, so it is left out here (lundborg.hpp has it).
+/// Granular friction of fully damaged material (Drucker & Prager 1952): the deviator may not exceed
+/// Y = cohesion + mu_d p. The strength of intact rock (megapascals) would limit Y as well.
+/// Pressures in rubble piles (pascals) stay far below, so this law leaves it out; lundborg.hpp has
+/// it.
 class DruckerPrager {
  public:
   static constexpr const char* token = "drucker-prager";
-  static constexpr bool is_damaged = true;  ///< D = 1 whatever happens
+  static constexpr bool is_damaged = true;  ///< D = 1 at all times
 
   explicit DruckerPrager(const Scene::Material& m)
       : mu_d_(std::tan(radians(m.drucker_prager.phi_d_deg))),
         cohesion_(m.drucker_prager.cohesion_Pa) {}
 
-  /// Pressure that damaged material carries: none in tension.
+  /// The pressure that damaged material carries: none in tension.
   double pressure(double p_eos, const Condition&) const { return damaged_pressure(p_eos, 1); }
 
   double yield_stress(double p, const Condition& = {}) const { return cohesion_ + mu_d_ * p; }

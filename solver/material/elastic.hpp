@@ -8,7 +8,7 @@
 
 namespace eerie::material {
 
-/// Hooke's law without limit, in tension too: for rubber, waves and oscillations.
+/// Hooke's law without a yield strength, in tension too. It serves rubber, waves and oscillations.
 class Elastic {
  public:
   static constexpr const char* token = "elastic";

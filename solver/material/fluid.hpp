@@ -6,7 +6,7 @@
 
 namespace eerie::material {
 
-/// No strength at all: the limit of vanishing friction, and gases.
+/// Material without strength: the limit of vanishing friction, and gases.
 class Fluid {
  public:
   static constexpr const char* token = "fluid";

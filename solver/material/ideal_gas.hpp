@@ -7,16 +7,17 @@
 
 namespace eerie::material {
 
-/// p = (gamma - 1) rho u, for tests of shocks and energy. Needs material.energy "integrated".
+/// The ideal gas, p = (gamma - 1) rho u, for tests of shocks and energy. It needs material.energy
+/// "integrated".
 class IdealGas {
  public:
   static constexpr const char* token = "ideal-gas";
-  static constexpr bool is_cold = false;  ///< pressure comes from heat alone
+  static constexpr bool is_cold = false;  ///< all pressure comes from heat
 
   explicit IdealGas(const Scene::Material& m)
       : gamma_(m.ideal_gas.gamma), rho0_(m.rho0_kg_per_m3) {}
 
-  /// rho in kg/m^3 > 0, u in J/kg >= 0; c^2 = gamma p/rho.
+  /// p and c at rho > 0 (kg/m^3) and u >= 0 (J/kg); c^2 = gamma p/rho.
   EosPoint operator()(double rho, double u) const {
     const double p = (gamma_ - 1) * rho * u;
     return {p, std::sqrt(gamma_ * p / rho)};
@@ -24,7 +25,7 @@ class IdealGas {
 
   double reference_density() const { return rho0_; }
   double reference_sound_speed() const { return 0; }
-  /// A cold gas resists nothing: bodies of it start at the reference density.
+  /// A cold gas resists no compression, so its bodies start at the reference density.
   double density_at(double) const { return rho0_; }
 
  private:

@@ -7,8 +7,8 @@
 
 namespace eerie::material {
 
-/// p = c0^2 (rho - rho0) with c0^2 = K/rho0: Hooke's law of small changes of volume, in tension
-/// as in compression (Gray, Monaghan & Swift 2001, eq. 2.8). For elastic tests.
+/// Hooke's law for small changes of volume, in tension and in compression: p = c0^2 (rho - rho0)
+/// with c0^2 = K/rho0 (Gray, Monaghan & Swift 2001, eq. 2.8). It serves elastic tests.
 class LinearEos {
  public:
   static constexpr const char* token = "linear";

@@ -14,7 +14,7 @@ namespace eerie::material {
 ///   intact  Y_i = [Y_0 + mu_i p/(1 + mu_i p/(Y_M - Y_0))] (1 - u/u_melt)
 ///   rubble  Y_d = cohesion + mu_d p, at most Y_i
 ///   Y = (1 - D) Y_i + D Y_d.
-/// Pressures in tension count as zero in Y. Melt has no strength.
+/// Y takes a pressure in tension as zero. Melt has no strength.
 class Lundborg {
  public:
   static constexpr const char* token = "lundborg";

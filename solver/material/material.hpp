@@ -17,14 +17,15 @@
 
 namespace eerie::material {
 
-/// No fracture: damage is what the rheology takes it to be, and costs nothing.
+/// The law without fracture: damage keeps the value that the rheology assumes, at no cost.
 struct NoFracture {
   static constexpr const char* token = "none";
   explicit NoFracture(const Scene::Material&) {}
 };
 
-/// Every equation of state, rheology and law of fracture; a new one is one file and one entry
-/// here (and its token in scene.schema.json). Dispatched once, outside the loops.
+/// The lists of all equations of state, rheologies and laws of fracture. A new law is one file, one
+/// entry here and its token in scene.schema.json. The solver picks the alternative once, outside
+/// its loops.
 using Eos = std::variant<Tillotson, LinearEos, IdealGas>;
 using Rheology = std::variant<DruckerPrager, Fluid, Elastic, Lundborg>;
 using Fracture = std::variant<NoFracture, GradyKipp>;
@@ -39,25 +40,27 @@ struct Material {
   double reference_sound_speed() const {
     return std::visit([](const auto& e) { return e.reference_sound_speed(); }, eos);
   }
-  /// Speed of the longitudinal elastic wave, sqrt(c0^2 + 4G/(3 rho0)), m/s: the fastest signal.
+  /// The speed of the longitudinal elastic wave, sqrt(c0^2 + 4G/(3 rho0)), m/s. No signal is
+  /// faster.
   double longitudinal_speed() const {
     const double c = reference_sound_speed();
     return std::sqrt(c * c + 4 * shear_modulus / (3 * reference_density));
   }
-  /// E = 9 K G/(3 K + G), Pa, K the bulk modulus of the uncompressed material.
+  /// Young's modulus E = 9 K G/(3 K + G), Pa, where K is the bulk modulus of the uncompressed
+  /// material.
   double young_modulus() const {
     const double c = reference_sound_speed(), K = reference_density * c * c;
     return 9 * K * shear_modulus / (3 * K + shear_modulus);
   }
-  /// Whether a free surface can carry stress, by tensile strength or cohesion.
+  /// Whether a free surface can carry stress, through tensile strength or cohesion.
   bool stressed_surface(const Scene& scene) const {
     return initial_damage() < 1 || scene.material.drucker_prager.cohesion_Pa > 0;
   }
-  /// Whether gaps in it are empty: a gas fills them.
+  /// Whether gaps in the material stay empty. A gas fills them.
   bool closes_gaps() const {
     return std::visit([](const auto& e) { return e.is_cold; }, eos);
   }
-  /// Damage of a particle that has not fractured yet.
+  /// The damage of a particle that has not fractured yet.
   double initial_damage() const {
     return std::visit([](const auto& r) { return r.is_damaged ? 1.0 : 0.0; }, rheology);
   }

@@ -9,7 +9,7 @@
 
 namespace eerie::material {
 
-/// Equation of state of Tillotson (1962), as in Benz & Asphaug (1999), all branches.
+/// The equation of state of Tillotson (1962), as in Benz & Asphaug (1999), with all branches.
 class Tillotson {
  public:
   static constexpr const char* token = "tillotson";
@@ -17,8 +17,8 @@ class Tillotson {
 
   explicit Tillotson(const Scene::Material& m) : k_(m.tillotson), rho0_(m.rho0_kg_per_m3) {}
 
-  /// p(rho, u) and c = sqrt(dp/drho + (p/rho^2) dp/du). rho in kg/m^3 > 0, u in J/kg.
-  /// Negative pressures are returned as they are; damage cuts them elsewhere.
+  /// p(rho, u) and c = sqrt(dp/drho + (p/rho^2) dp/du), for rho > 0 (kg/m^3) and u (J/kg). The
+  /// pressure may be negative; damage limits it elsewhere.
   EosPoint operator()(double rho, double u) const {
     if (u == 0) return cold(rho);
     const bool expanded = rho < rho0_;
@@ -26,7 +26,7 @@ class Tillotson {
     if (!expanded || u <= k_.u_iv_J_per_kg) return point(cold, rho);
     const Slope hot = vapour(rho, u);
     if (u >= k_.u_cv_J_per_kg) return point(hot, rho);
-    // Between incipient and complete vaporisation: linear in u between the two branches.
+    // Between incipient and complete vaporisation p is linear in u between the two branches.
     const double width = k_.u_cv_J_per_kg - k_.u_iv_J_per_kg;
     const double w = (u - k_.u_iv_J_per_kg) / width;
     const Slope mixed{(1 - w) * cold.p + w * hot.p, (1 - w) * cold.dp_drho + w * hot.dp_drho,
@@ -35,18 +35,18 @@ class Tillotson {
   }
 
   double reference_density() const { return rho0_; }
-  /// Bulk sound speed of the uncompressed cold material, sqrt(A/rho0), m/s.
+  /// The bulk sound speed of the uncompressed cold material, sqrt(A/rho0), m/s.
   double reference_sound_speed() const { return std::sqrt(k_.A_Pa / rho0_); }
 
-  /// Density at which the cold material has pressure p >= 0: the root of
-  /// A mu + B mu^2 = p with mu = rho/rho0 - 1.
+  /// The density at which the cold material has pressure p >= 0, that is the root of A mu + B mu^2
+  /// = p with mu = rho/rho0 - 1.
   double density_at(double p) const {
     const double mu = 2 * p / (k_.A_Pa + std::sqrt(k_.A_Pa * k_.A_Pa + 4 * k_.B_Pa * p));
     return rho0_ * (1 + mu);
   }
 
  private:
-  /// The compressed branch at u = 0, where most of its terms vanish: impacts without heat.
+  /// The compressed branch at u = 0, for impacts without heat. Most of its terms vanish.
   EosPoint cold(double rho) const {
     const double mu = rho / rho0_ - 1;
     return point(
@@ -59,8 +59,8 @@ class Tillotson {
   };
 
   EosPoint point(const Slope& s, double rho) const {
-    // Never below the speed of the uncompressed cold material: the slope of the expanded law, which
-    // falls to zero at half density, says nothing about loose rubble (decisions.md, 10).
+    // The speed never falls below that of the uncompressed cold material. The slope of the expanded
+    // law falls to zero at half density, which says nothing about loose rubble (decisions.md, 10).
     const double c2 = s.dp_drho + s.p / (rho * rho) * s.dp_du;
     return {s.p, std::sqrt(std::max(c2, k_.A_Pa / rho0_))};
   }

@@ -6,10 +6,10 @@
 
 namespace eerie::material {
 
-// Every rheology returns the deviator S radially to its yield surface: S becomes
-// yield_factor(J2, p, condition) S, J2 = S:S/2.
+// Every rheology scales the deviator S back to its yield surface: S becomes yield_factor(J2, p,
+// condition) S, where J2 = S:S/2.
 
-/// min(1, Y/sqrt(J2)).
+/// The factor min(1, Y/sqrt(J2)).
 inline double radial_factor(double J2, double Y) { return J2 > Y * Y ? Y / std::sqrt(J2) : 1; }
 
 template <class Rheology, class... Condition>

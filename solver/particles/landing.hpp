@@ -6,10 +6,11 @@
 
 namespace eerie::particles {
 
-/// What came of a time in which nothing changed but places (numerics.rigid_flight).
+/// The state after a flight of rigid bodies (numerics.rigid_flight), in which only positions
+/// changed.
 struct Landing {
-  State state;              ///< later; particles in the order that they had
-  bool for_impact = false;  ///< bodies are about to meet: a late phase is over
+  State state;              ///< at the later time; particles keep their order
+  bool for_impact = false;  ///< true where bodies are about to meet, which ends a late phase
   std::string how;          ///< a sentence for the log
 };
 

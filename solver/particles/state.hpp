@@ -10,22 +10,23 @@
 
 namespace eerie::particles {
 
-/// Which of the two bodies a particle came from.
+/// The body that a particle comes from.
 enum class Body : std::uint8_t { target = 0, impactor = 1 };
 
-/// How much softer than in the scene matter is while nothing moves fast (step/late.hpp).
+/// How much softer matter is than in the scene, while nothing moves fast (step/late.hpp).
 struct Softening {
-  double sound_speed = 1;  ///< times the sound speeds of the scene
-  /// Whether remnants hardly move. Before, viscosity keeps its size: alpha grows as sound falls.
+  double sound_speed = 1;  ///< factor on the sound speeds of the scene
+  /// Whether remnants hardly move. While they still move, viscosity keeps its size: alpha grows by
+  /// the inverse of the factor.
   bool is_calm = false;
 
   double viscosity_alpha() const { return is_calm ? 1 : 1 / sound_speed; }
   bool operator==(const Softening&) const = default;
 };
 
-/// What is integrated, one entry per particle, in memory order (see tree/order.hpp), SI.
-/// Mass is the same for every particle and constant in time. Fields of physics that the scene does
-/// not use are empty.
+/// What the solver integrates, in SI. Arrays have one entry per particle, in memory order
+/// (tree/kd_tree.hpp). All particles have the same constant mass. Arrays of physics that the scene
+/// does not use are empty.
 struct State {
   double time = 0;  ///< s since the start of the run
   long step = 0;    ///< steps done
@@ -39,27 +40,28 @@ struct State {
   std::vector<double> rho;         ///< kg/m^3
   std::vector<SymTensor> S;        ///< deviatoric stress, Pa
 
-  // With an energy equation. The last two are parts of u, kept for the budget.
+  // These exist with an energy equation. The last two are parts of u, kept for the energy budget.
   std::vector<double> u;             ///< specific internal energy, elastic energy included, J/kg
-  std::vector<double> viscous_heat;  ///< what artificial viscosity made of motion, J/kg
-  std::vector<double> shear_work;    ///< of the deviatoric stress: elastic, the rest heat, J/kg
-  // With fracture.
+  std::vector<double> viscous_heat;  ///< heat that artificial viscosity has made, J/kg
+  /// Work of the deviatoric stress, J/kg: partly elastic energy, partly heat.
+  std::vector<double> shear_work;
+  // This exists with fracture.
   std::vector<double> damage_cbrt;  ///< cube root of the damage D, which grows evenly
 
   std::size_t size() const { return x.size(); }
 };
 
-/// A smoothing length that keeps the number of neighbours: h at the density rho0, m.
+/// The smoothing length that keeps the number of neighbours, m. It is h at the density rho0.
 inline double evolved_h(double h, double rho0, double rho) { return h * std::cbrt(rho0 / rho); }
 
-/// rho + change; where a lone particle would lose more than half of its density in a step, a smooth
-/// continuation that stays positive.
+/// rho + change. Where a lone particle would lose more than half of its density in one step, a
+/// smooth continuation keeps the density positive.
 inline double changed_density(double rho, double change) {
   return change > -0.5 * rho ? rho + change : -0.25 * rho * rho / change;
 }
 
-/// Time derivatives of the state at its last evaluation. dv_dt holds the elastic and frictional
-/// forces; gravity is evaluated less often and apart.
+/// Time derivatives of the state at its last evaluation. dv_dt holds elastic and frictional forces.
+/// Gravity stands apart, since it is evaluated less often.
 struct Rates {
   std::vector<Vec3> dv_dt;
   std::vector<double> drho_dt;
@@ -68,28 +70,28 @@ struct Rates {
   std::vector<Vec3f> g;                 ///< gravity when it was last evaluated, m/s^2
   std::vector<Vec3f> dg_dt;             ///< its change since the evaluation before, m/s^3
   std::vector<SymTensorf> shear_rate;   ///< traceless strain rate, 1/s; for shear-free viscosity
-  std::vector<float> viscous_pressure;  ///< that viscosity carries, Pa; where friction feels it
+  std::vector<float> viscous_pressure;  ///< carried by viscosity, Pa; exists where friction uses it
   std::vector<double> du_dt;            ///< W/kg; with an energy equation
   std::vector<double> viscous_heating;  ///< the part of du_dt that viscosity makes, W/kg
   std::vector<double> shear_power;      ///< the part of du_dt of the deviatoric stress, W/kg
 };
 
-/// What a run needs, beyond State and Rates, to go on with the same bits: neighbour lists are
-/// a pure function of the memory order and of where the particles were when they were built.
+/// What a run needs besides State and Rates to continue with the same bits. Neighbour lists are a
+/// pure function of the memory order and of the positions at their last build.
 struct Restart {
   std::vector<Vec3> list_x;  ///< positions at the last list build, m
-  double list_support = 0;   ///< the support radius that it used, m
+  double list_support = 0;   ///< the support radius of that build, m
   long builds_in_order = 0;  ///< list builds since particles were last sorted
 };
 
-/// Optional fields are visited where they are in use, that is not empty.
+/// A visit includes an optional field where it is in use, that is, not empty.
 template <class Visit, class Array>
 void visit_some(Visit& visit, const char* name, Array& array) {
   if (!array.empty()) visit(name, array);
 }
 
-/// The one table of per-particle fields; reordering, resizing, saving, loading and comparing
-/// walk it. visit(name, array).
+/// The one table of per-particle fields: it calls visit(name, array) for each. Reordering,
+/// resizing, saving, loading and comparing all use it.
 template <class S, class Visit>
 void visit_state(S& state, Visit&& visit) {
   visit("ParticleIDs", state.id);
@@ -122,7 +124,7 @@ void visit_restart(R& restart, Visit&& visit) {
   visit("ListCoordinates", restart.list_x);
 }
 
-/// Which optional fields are in use.
+/// Says which optional fields are in use.
 struct OptionalFields {
   bool energy = false, damage = false, shear = false, viscous_pressure = false;
 };
@@ -139,7 +141,7 @@ inline void resize(Rates& rates, std::size_t n, OptionalFields use = {}) {
   visit_rates(rates, [n](const char*, auto& array) { array.resize(n); });
 }
 
-/// array[i] becomes array[order[i]].
+/// Reorders: array[i] becomes array[order[i]].
 template <class T>
 void permute(std::vector<T>& array, const std::vector<std::uint32_t>& order) {
   std::vector<T> sorted(array.size());

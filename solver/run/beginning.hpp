@@ -7,21 +7,22 @@
 
 namespace eerie::run {
 
-/// What a run begins with.
+/// The solver with which a run begins.
 struct Beginning {
   step::Solver solver;
   step::Totals first;  ///< at time 0
 };
 
-/// The run was stopped before it could begin. Bodies on their way to rest are in the files
-/// settling_target.hdf5 and settling_impactor.hdf5, from which the next attempt goes on.
+/// The state of a run that was stopped before it could begin. The files settling_target.hdf5 and
+/// settling_impactor.hdf5 hold the bodies on their way to rest, and the next attempt continues from
+/// them.
 struct NotBegun {
   RunEnd end;         ///< stopped or step_limit
-  io::Snapshot last;  ///< bodies that have not settled, on their orbit; or the checkpoint
-  long steps = 0;     ///< of settling, by this process
+  io::Snapshot last;  ///< the bodies, not yet settled, on their orbit; or the checkpoint
+  long steps = 0;     ///< of settling, made by this process
 };
 
-/// Makes the bodies of a scene, or goes on from the newest checkpoint in options.directory. Asks
+/// Makes the bodies of a scene, or continues from the newest checkpoint in options.directory. Calls
 /// options.stop after every cycle of settling.
 std::variant<Beginning, NotBegun> begin(const Scene& scene, const RunOptions& options);
 

@@ -7,8 +7,8 @@
 
 namespace eerie::run {
 
-/// Particle-steps per second of `jobs` runs of impacts such as `scene`, side by side in this
-/// process with `threads` threads each, over `duration`.
+/// Measures particle-steps per second. For `duration` this process runs `jobs` impacts such as
+/// `scene` side by side, each with `threads` threads.
 double measured_speed(const Scene& scene, std::size_t jobs, int threads,
                       std::chrono::duration<double> duration);
 

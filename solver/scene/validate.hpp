@@ -5,17 +5,17 @@
 
 namespace eerie {
 
-/// Checks `document` against a JSON Schema and throws InputError for the first fault, as
+/// Checks `document` against a JSON Schema. Throws InputError for the first fault, as
 /// "<where>.impact.q = 2: must be greater than 0 and at most 1 (impactor mass over target mass);
-/// for example 1". Unknown fields are reported with the known ones.
-/// `schema` must live as long as the program (it is compiled once).
+/// for example 1". For an unknown field the message lists the known ones. `schema` must live as
+/// long as the program, which compiles it once.
 void require_valid(const nlohmann::json& schema, const nlohmann::json& document,
                    const std::string& where);
 
 /// The sub-schema at a dotted path ("impact.q"), or nullptr where the schema has none.
 const nlohmann::json* schema_at(const nlohmann::json& schema, const std::string& dotted_path);
 
-/// `document` with the schema's default put where a field is missing, at any depth.
+/// Puts the schema's default wherever `document` lacks a field, at any depth.
 nlohmann::json with_defaults(const nlohmann::json& schema, nlohmann::json document);
 
 }  // namespace eerie

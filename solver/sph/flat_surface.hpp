@@ -9,13 +9,15 @@
 
 namespace eerie::sph {
 
-/// What a particle counts of matter of density 1 that fills one side of a plane: sum_j m W_ij, by
-/// the length of its first moment, sum_j m W_ij x_ij/h. Both say how deep below the plane it lies.
+/// The density sum_j m W_ij of a particle in matter of density 1 that fills one side of a plane, as
+/// a function of the length of its first moment sum_j m W_ij x_ij/h. Both depend on its depth below
+/// the plane.
 template <class Kernel>
 class FlatSurface {
  public:
   FlatSurface() {
-    // The kernel projected on the normal, P(z) = 2 pi int W s ds, s^2 = r^2 - z^2, by midpoints.
+    // The kernel projected on the normal, P(z) = 2 pi int W s ds with s^2 = r^2 - z^2, by the
+    // midpoint rule.
     double inside = 0.5, moment = 0;
     std::array<double, depths + 1> m{}, w{};
     for (int k = depths; k-- > 0;) {
@@ -34,10 +36,10 @@ class FlatSurface {
     for (std::size_t k = 0; k < depths; ++k) densities_[k + 1] = densities_[k] + w[k];
   }
 
-  /// Of the particle whose first moment is `moment` >= 0; that of one on the plane where it is
-  /// more.
+  /// The density of the particle whose first moment is `moment` >= 0. For a larger moment than any,
+  /// it is that of a particle on the plane.
   double density(double moment) const {
-    // Moments fall with depth.
+    // The moment falls with depth.
     const auto deeper =
         std::upper_bound(moments_.begin(), moments_.end(), moment, std::greater<>());
     if (deeper == moments_.begin()) return densities_[0];

@@ -10,8 +10,8 @@
 
 namespace eerie::sph {
 
-/// Every kernel; a new one is one file in kernels/ and one entry here (and its token in
-/// scene.schema.json).
+/// The list of all kernels. A new kernel is one file in kernels/, one entry here and its token in
+/// scene.schema.json.
 using KernelChoice = std::variant<CubicSpline, WendlandC2, WendlandC4>;
 
 inline KernelChoice make_kernel(const std::string& token) {

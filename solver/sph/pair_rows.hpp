@@ -10,12 +10,12 @@
 
 namespace eerie::sph {
 
-// What a neighbour contributes to pair sums, in rows of eight or sixteen numbers. Lengths are in
-// units of the scene's smoothing length h0. Positions and velocities are relative to the first
-// particle of a bucket, subtracted in double, so that single precision keeps differences to a part
-// in 1e7 of a bucket.
+// The numbers of a neighbour that pair sums use, in rows of eight or sixteen. Lengths are in units
+// of the scene's smoothing length h0. Positions and velocities are relative to the first particle
+// of a bucket. They are subtracted in double precision, so single precision resolves 1e-7 of the
+// size of a bucket.
 
-/// Where a particle is and goes.
+/// Position and velocity of a particle, its volume and its sound speed.
 template <class Real>
 struct alignas(8 * sizeof(Real)) MotionRow {
   Real x, y, z;     ///< h0
@@ -24,7 +24,7 @@ struct alignas(8 * sizeof(Real)) MotionRow {
   Real c;           ///< sound speed, m/s
 };
 
-/// The rows of a momentum flux, Pa; the fourth numbers do not count.
+/// The rows of a momentum flux, Pa. The fourth number of each has no meaning.
 using FluxRows = std::array<Quad<double>, 3>;
 inline FluxRows rows_of(const Mat3& T) {
   FluxRows rows;
@@ -33,44 +33,45 @@ inline FluxRows rows_of(const Mat3& T) {
   return rows;
 }
 
-/// The momentum flux T = -p 1 + S L, Pa, each of its rows followed by a coordinate (h0), and ones:
-/// what pairs weigh with the gradient of the kernel and the thrust of viscosity (pair_sums.hpp).
+/// The momentum flux T = -p 1 + S L, Pa. A coordinate (h0) follows each of its rows, and a row of
+/// ones ends it. Pair sums weigh these with the gradient of the kernel and with the thrust of
+/// viscosity (pair_sums.hpp).
 template <class Real>
 struct alignas(64) StressRow {
   Quad<Real> q[4] = {
       {}, {}, {}, {1, 1, 1, 1}};  ///< T_xx T_xy T_xz x, T_yx T_yy T_yz y, T_zx T_zy T_zz z, 1 1 1 1
 };
 
-/// What pair sums take into account. Scenes that need less pay nothing for more.
+/// The terms of the pair sums. Scenes that need fewer terms do not pay for the others.
 enum class Terms {
   basic,       ///< fluxes and Monaghan's viscosity
-  shear_free,  ///< viscosity without the local shear
-  all,         ///< and heat, evolving smoothing lengths, artificial stress, pressure of viscosity
+  shear_free,  ///< viscosity ignores the local shear
+  all,  ///< adds heat, evolving smoothing lengths, artificial stress, the pressure of viscosity
 };
 
-/// Which sums a visit of the neighbours makes.
+/// The sums that one visit of the neighbours makes.
 enum class Part {
-  all,       ///< in one visit
-  gradient,  ///< C and G: where particles are and go is all that it takes
-  force,     ///< the force and what belongs to viscosity
+  all,       ///< all of them
+  gradient,  ///< C and G, which need positions and velocities only
+  force,     ///< the force and the sums of viscosity
 };
 
-/// How the neighbourhood is sheared, for viscosity that leaves shear alone.
+/// The shear of the neighbourhood, for viscosity that ignores shear.
 template <class Real>
 struct alignas(8 * sizeof(Real)) ShearRow {
   Real e[6];  ///< half the traceless strain rate, xx yy zz xy xz yz, times h0, m/s
   Real unused[2]{};
 };
 
-/// For evolving smoothing lengths and artificial stress.
+/// The numbers for evolving smoothing lengths and artificial stress.
 template <class Real>
 struct alignas(8 * sizeof(Real)) ExtraRow {
   Real R[6];       ///< artificial stress, xx yy zz xy xz yz, Pa
   Real inverse_h;  ///< h0/h
-  Real weight;     ///< (h0/h)^5: its kernel gradient's normalisation over that of h0
+  Real weight;     ///< (h0/h)^5, the normalisation of its kernel gradient relative to that for h0
 };
 
-/// Rows of some particles, one of each kind.
+/// The rows of some particles, one of each kind per particle.
 template <class Real, Terms terms>
 struct Rows {
   std::vector<MotionRow<Real>> motion;
@@ -88,7 +89,7 @@ struct Rows {
   }
 };
 
-/// Rows of all particles in memory order, and the copy of one bucket's surroundings.
+/// The rows of all particles in memory order. gather() copies those around one bucket.
 template <class Real, Terms terms>
 class PairRows {
  public:
@@ -102,10 +103,10 @@ class PairRows {
     origins_.resize(tree::bucket_count(particles));
   }
 
-  /// Takes the bucket's first particle as the origin of its rows. Before any set().
+  /// Takes the first particle of each bucket as the origin of its rows. Goes before any set().
   void set_origin(std::size_t bucket, const Vec3& x, const Vec3& v) { origins_[bucket] = {x, v}; }
 
-  /// x in m, v and c in m/s, V in m^3, rows of T in Pa.
+  /// Sets the rows of a particle: x in m, v and c in m/s, V in m^3, rows of T in Pa.
   void set(std::size_t i, const Vec3& x, const Vec3& v, double V, double c, const FluxRows& T) {
     set_motion(i, x, v, V, c);
     const Vec3 d = (x - origins_[i / tree::bucket_size].x) * per_h0_;
@@ -115,7 +116,7 @@ class PairRows {
     }
   }
 
-  /// What Part::gradient needs of it.
+  /// Sets the numbers that Part::gradient needs.
   void set_motion(std::size_t i, const Vec3& x, const Vec3& v, double V, double c = 0) {
     const Origin& o = origins_[i / tree::bucket_size];
     const Vec3 d = (x - o.x) * per_h0_, u = v - o.v;
@@ -123,14 +124,14 @@ class PairRows {
                        real(u.x), real(u.y), real(u.z), real(c)};
   }
 
-  /// e: traceless strain rate, 1/s.
+  /// Sets the traceless strain rate e, 1/s.
   void set_shear(std::size_t i, const SymTensorf& e) requires sheared {
     const double s = h0_ / 2;
     rows_.shear[i] = {{real(s * e.xx), real(s * e.yy), real(s * e.zz), real(s * e.xy),
                        real(s * e.xz), real(s * e.yz)}};
   }
 
-  /// R in Pa; h in m.
+  /// Sets the artificial stress R, Pa, and the smoothing length h, m.
   void set_extra(std::size_t i, const SymTensor& R, double h) requires extended {
     const double ratio = h0_ / h, ratio2 = ratio * ratio;
     rows_.extra[i] = {{real(R.xx), real(R.yy), real(R.zz), real(R.xy), real(R.xz), real(R.yz)},
@@ -138,8 +139,8 @@ class PairRows {
                       real(ratio2 * ratio2 * ratio)};
   }
 
-  /// Copies the rows of `list` relative to the origin of `bucket`, with the dummy row last; of
-  /// those that `part` does not need nothing is said.
+  /// Copies the rows of `list` relative to the origin of `bucket`, with the dummy row last. Rows
+  /// that `part` does not need stay undefined.
   template <Part part = Part::all>
   void gather(std::size_t bucket, const tree::NeighbourList& lists,
               Rows<Real, terms>& local) const {
@@ -164,7 +165,8 @@ class PairRows {
     for (std::size_t k = 0; k < list.images.size(); ++k)
       if (list.images[k] > 0)
         mirror(list.rows[k], lists.images()[list.images[k] - 1u], home, local, k);
-    // Far away, at rest, without volume: every pair with it contributes exactly nothing.
+    // The dummy row is far away, at rest and without volume, so every pair with it contributes
+    // exactly zero.
     local.motion[dummy] = {Real(1e9), 0, 0, 0, 0, 0, 0, 0};
     for (Quad<Real>& q : local.stress[dummy].q) q = Quad<Real>{};
     if constexpr (sheared) local.shear[dummy] = {};
@@ -176,7 +178,7 @@ class PairRows {
     Vec3 x, v;
   };
 
-  /// From one bucket's origin to another's.
+  /// The difference between the origins of two buckets.
   struct Shift {
     Quad<Real> x{}, v{}, flux[3] = {};
     Shift() = default;
@@ -194,7 +196,7 @@ class PairRows {
     }
   };
 
-  /// Row k becomes particle j as seen in a mirror.
+  /// Replaces row k by the mirror image of particle j.
   void mirror(std::uint32_t j, const tree::MirrorImage& image, const Origin& home,
               Rows<Real, terms>& local, std::size_t k) const {
     const Origin& o = origins_[j / tree::bucket_size];
@@ -212,7 +214,7 @@ class PairRows {
     const auto turn = [&](Real* t) {
       t[3] *= real(st.x * st.y), t[4] *= real(st.x * st.z), t[5] *= real(st.y * st.z);
     };
-    // A rough wall passes the shear on like the stress: velocity goes on linearly through it.
+    // A rough wall keeps the shear as it keeps the stress: velocity continues linearly through it.
     if constexpr (sheared) turn(local.shear[k].e);
     if constexpr (extended) turn(local.extra[k].R);
   }

@@ -10,23 +10,24 @@
 
 namespace eerie::sph {
 
-/// Sums over the neighbours j of one particle i, with x_ij = x_i - x_j, v_ij = v_i - v_j; of
-/// several particles at once where T is a Pack.
+/// Sums over the neighbours j of one particle i, where x_ij = x_i - x_j and v_ij = v_i - v_j. Where
+/// T is a Pack they are the sums of several particles.
 template <class T>
 struct NeighbourSumsOf {
-  SymTensorOf<T> C;  ///< -sum V_j grad_i W (x) x_ij: the identity inside a uniform body
-  Mat3Of<T> G;       ///< -sum V_j v_ij (x) grad_i W: the uncorrected velocity gradient, 1/s
-  /// sum V_j (T_i + T_j - q_ij 1) . grad_i W: rho_i dv_i/dt, Pa/m
+  SymTensorOf<T> C;  ///< -sum V_j grad_i W (x) x_ij, the identity inside a uniform body
+  Mat3Of<T> G;       ///< -sum V_j v_ij (x) grad_i W, the uncorrected velocity gradient, 1/s
+  /// sum V_j (T_i + T_j - q_ij 1) . grad_i W, that is rho_i dv_i/dt, Pa/m.
   std::conditional_t<std::is_same_v<T, double>, Vec3, std::array<T, 3>> force{};
-  T heat{};  ///< 1/2 sum V_j q_ij v_ij . grad_i W: rho_i du_i/dt of viscosity, W/m^3
-  /// The part of the force of viscosity and artificial stress, Pa/m; with Terms::all alone.
+  T heat{};  ///< 1/2 sum V_j q_ij v_ij . grad_i W, that is rho_i du_i/dt of viscosity, W/m^3
+  /// The part of the force that viscosity and artificial stress make, Pa/m. Only Terms::all has it.
   std::array<T, 3> brake{};
-  T viscous_pressure{};  ///< -1/6 sum V_j q_ij x_ij . grad_i W: what viscosity carries, Pa
+  /// -1/6 sum V_j q_ij x_ij . grad_i W, the pressure that viscosity carries, Pa.
+  T viscous_pressure{};
 };
 using NeighbourSums = NeighbourSumsOf<double>;
 using PackedSums = NeighbourSumsOf<Pack<double>>;
 
-/// The sums of one particle out of several.
+/// The sums of one particle, lane l of several.
 inline NeighbourSums lane(const PackedSums& s, std::size_t l) {
   NeighbourSums one;
   one.C = {s.C.xx[l], s.C.yy[l], s.C.zz[l], s.C.xy[l], s.C.xz[l], s.C.yz[l]};
@@ -39,26 +40,26 @@ inline NeighbourSums lane(const PackedSums& s, std::size_t l) {
 
 struct Viscosity {
   double alpha, beta;
-  static constexpr double epsilon = 0.01;  ///< of h^2, keeps mu finite (Monaghan 1992)
+  static constexpr double epsilon = 0.01;  ///< in units of h^2; keeps mu finite (Monaghan 1992)
 };
 
-/// Terms that few scenes need; each is left out where its flag is off.
+/// Terms that few scenes need. A flag that is off leaves its term out.
 struct ExtraTerms {
   bool evolving_h = false;
   bool artificial_stress = false;  ///< q_ij 1 becomes q_ij 1 - (R_i + R_j) f^4, f = W/W(spacing)
-  double spacing = 0;              ///< of particles at rest, m
-  bool shear_free = false;         ///< viscosity leaves shear alone, as with Terms::shear_free
+  double spacing = 0;              ///< spacing of particles at rest, m
+  bool shear_free = false;         ///< viscosity ignores shear, as with Terms::shear_free
 };
 
-/// The neighbour sweep of a step, for one floating-point type and one kernel: all sums in one
-/// visit of each pair. Heat and ExtraTerms come with Terms::all alone.
-/// Each sum is made by one thread in list order; `finish(i, count, sums)` runs right after them on
-/// the same thread, for particles i to i + count - 1: lane l of `sums` belongs to i + l.
+/// The visit of all neighbours in a step, for one floating-point type and one kernel. It makes all
+/// sums in one visit of each pair. Only Terms::all has heat and ExtraTerms. One thread makes each
+/// sum, in list order. The same thread then calls `finish(i, count, sums)` for the particles i to i
+/// + count - 1, where lane l of `sums` belongs to i + l.
 ///
-/// A visit has four short loops over the pairs of a particle, a pack of them at a time, with their
-/// numbers in memory in between: a long one would wait for the latency of square roots and
+/// A visit has four short loops over the pairs of a particle, one pack at a time, and keeps their
+/// numbers in memory in between. One long loop would wait for the latency of square roots and
 /// divisions. Geometry and viscosity need the numbers of several neighbours side by side, which
-/// takes a transposition; fluxes are only weighed and added, row by row, and need none.
+/// takes a transposition. Fluxes are only weighed and added row by row, and need none.
 template <class Real, class Kernel, Terms terms = Terms::basic>
 class PairSums {
  public:
@@ -66,7 +67,7 @@ class PairSums {
   static constexpr bool sheared = terms != Terms::basic, extended = terms == Terms::all;
   PairRows<Real, terms> rows;
 
-  /// h: the scene's smoothing length, m; mass: of a particle, kg.
+  /// `h` is the scene's smoothing length, m, and `mass` that of a particle, kg.
   PairSums(double h, double mass, Viscosity viscosity, ExtraTerms extra = {})
       : rows(h),
         h_(h),
@@ -77,7 +78,7 @@ class PairSums {
 
   template <Part asked = Part::all, class Finish>
   void sweep(const tree::NeighbourList& lists, std::size_t particles, Finish&& finish) const {
-    constexpr Part part = extended ? Part::all : asked;  // rare terms have one loop for all
+    constexpr Part part = extended ? Part::all : asked;  // rare terms share one loop
 #pragma omp parallel
     {
       Desk desk;
@@ -102,28 +103,29 @@ class PairSums {
   using P = Pack<Real>;
   static Real real(double value) { return static_cast<Real>(value); }
 
-  /// A pack of pairs: differences of particle and neighbours, then what is made of them.
+  /// A pack of pairs: the differences between particle and neighbours, and numbers that follow from
+  /// them.
   struct Pairs {
     P dx, dy, dz;  ///< h0
     P ux, uy, uz;  ///< m/s
     P r2;          ///< h0^2
-    P approach;    ///< -u.dx where that is positive; without shear, where viscosity leaves it alone
-    P V, c_sum;    ///< of the neighbour; of both
+    P approach;    ///< -u.dx where that is positive; without shear, where viscosity ignores it
+    P V, c_sum;    ///< volume of the neighbour; sum of both sound speeds
     P w;           ///< V_j (dW/dr)/r, without normalisation
-    P thrust;      ///< w q, q the pair pressure of viscosity, over twice the mass
+    P thrust;      ///< w q over twice the mass, where q is the pair pressure of viscosity
   };
   struct ExtraPairs {
     Columns<Real> row;
     P closing;  ///< -u.dx
     P f4_w;     ///< (W/W(spacing))^4 w
   };
-  /// The sums of one particle without their normalisation.
+  /// The sums of one particle, without their normalisation.
   struct alignas(64) Raw {
     static constexpr int C = 0, G = 6, heat = 15, flux = 16, repulsion = 32, virial = 35;
     static constexpr std::size_t count = extended ? 48 : 32;
     Real s[count];
   };
-  /// What a thread works on.
+  /// The working memory of one thread.
   struct Desk {
     Rows<Real, terms> local;
     std::vector<Pairs> pairs;
@@ -132,7 +134,7 @@ class PairSums {
     std::vector<Raw> raw = std::vector<Raw>(tree::bucket_size + lanes<Real>);
   };
 
-  /// One particle: entries of its list are places of rows of eight.
+  /// Makes the sums of one particle. The entries of its list are places of rows of eight.
   template <Part part>
   void sum(std::size_t k, const tree::BucketList& list, Desk& desk) const {
     const std::uint16_t* places = list.index.data() + list.begin[k];
@@ -151,7 +153,7 @@ class PairSums {
       add_fluxes(places, desk, packs, desk.raw[k].s + Raw::flux);
   }
 
-  /// Differences of position and velocity.
+  /// Computes the differences of position and velocity.
   template <Part part>
   void separate(std::size_t k, const std::uint16_t* places, Desk& desk, std::size_t p) const {
     const MotionRow<Real>& me = desk.local.motion[k];
@@ -160,7 +162,7 @@ class PairSums {
     const P ux = me.vx - row[4], uy = me.vy - row[5], uz = me.vz - row[6];
     Pairs& pairs = desk.pairs[p];
     pairs.dx = dx, pairs.dy = dy, pairs.dz = dz, pairs.ux = ux, pairs.uy = uy, pairs.uz = uz;
-    pairs.r2 = dx * dx + (dy * dy + (dz * dz + real(1e-12)));  // 1/r stays finite at r = 0
+    pairs.r2 = dx * dx + (dy * dy + (dz * dz + real(1e-12)));  // keeps 1/r finite at r = 0
     pairs.V = row[3];
     if constexpr (part == Part::gradient) return;
     const P closing = -(ux * dx + uy * dy + uz * dz);
@@ -175,8 +177,8 @@ class PairSums {
     }
   }
 
-  /// Of the approach of a pair, what is not the shear of its neighbourhood; never more than the
-  /// whole of it, so that viscosity only takes energy.
+  /// The approach of a pair without the shear of its neighbourhood. It never exceeds the whole
+  /// approach, so that viscosity only removes energy.
   P without_shear(const Pairs& pairs, P closing, const std::vector<ShearRow<Real>>& shear,
                   std::size_t k, const std::uint16_t* places) const {
     const Real* mine = shear[k].e;
@@ -190,7 +192,7 @@ class PairSums {
     return positive_part(P(rest < closing ? rest : closing));
   }
 
-  /// Kernel gradient and viscosity.
+  /// Computes the gradient of the kernel and the viscosity.
   template <Part part>
   void weigh(std::size_t k, Desk& desk, std::size_t p) const {
     Pairs& pairs = desk.pairs[p];
@@ -210,8 +212,8 @@ class PairSums {
     pairs.w = pairs.V * slope;
     if constexpr (part == Part::gradient) return;
 
-    // Monaghan (1992) viscosity as a pair pressure q = rho_h (-alpha c mu + beta mu^2), with
-    // rho_h = 2m/(V_i + V_j) the harmonic mean density; only approaching pairs feel it.
+    // The viscosity of Monaghan (1992) as a pair pressure q = rho_h (-alpha c mu + beta mu^2),
+    // where rho_h = 2m/(V_i + V_j) is the harmonic mean density. Only approaching pairs have it.
     const P V_sum = desk.local.motion[k].V + pairs.V;
     P push = pairs.approach * inverse(P((r2 + real(Viscosity::epsilon)) * V_sum));
     if constexpr (extended) push *= h_ij;
@@ -223,7 +225,7 @@ class PairSums {
       desk.extra[p].f4_w = f * f * f * f * pairs.w;
     }
   }
-  /// (dW/dr)/r of a smoothing length h0/inverse_h, but for its weight.
+  /// (dW/dr)/r for the smoothing length h0/inverse_h, without its weight.
   P slope_of(P r, P inverse_r, P inverse_h) const {
     return Kernel::dw_over_q(P(r * inverse_h), P(inverse_r * inverse(inverse_h)));
   }
@@ -234,12 +236,12 @@ class PairSums {
                       pairs.thrust, weights(desk, p));
   }
 
-  /// Sums over C and G, and the weights of the fluxes.
+  /// Adds to C and G, and computes the weights of the fluxes.
   template <Part part>
   void add_gradients(std::size_t k, Desk& desk, std::size_t packs) const {
     P cxx{}, cyy{}, czz{}, cxy{}, cxz{}, cyz{}, heat{};
     P gxx{}, gxy{}, gxz{}, gyx{}, gyy{}, gyz{}, gzx{}, gzy{}, gzz{};
-    [[maybe_unused]] P repulsion[4] = {};  // and the virial of viscosity
+    [[maybe_unused]] P repulsion[4] = {};  // the last entry is the virial of viscosity
     for (std::size_t p = 0; p < packs; ++p) {
       const Pairs& pairs = desk.pairs[p];
       const P dx = pairs.dx, dy = pairs.dy, dz = pairs.dz;
@@ -280,7 +282,7 @@ class PairSums {
 
   static const Real* first(const Quad<Real>& q) { return reinterpret_cast<const Real*>(&q); }
 
-  /// Sums over the rows of stresses: gradient of the kernel times flux, thrust times position.
+  /// Adds the rows of the stresses: gradient of the kernel times flux, thrust times position.
   static void add_fluxes(const std::uint16_t* places, Desk& desk, std::size_t packs, Real* out) {
     QuadSums<Real> sums;
     for (std::size_t p = 0; p < packs; ++p)
@@ -288,7 +290,7 @@ class PairSums {
     sums.store(out);
   }
 
-  /// Sums of lanes<Real> particles from the k-th on with their normalisation, in SI.
+  /// The sums of lanes<Real> particles from the k-th on, normalised, in SI.
   template <Part part>
   std::array<PackedSums, parts<Real>> scaled(const Desk& desk, std::size_t k) const {
     P raw[Raw::count], own[16];

@@ -7,19 +7,19 @@
 
 namespace eerie::sph {
 
-/// Below this determinant of C the particle has too few neighbours around it for a linear
-/// correction (a plane or a line of them, or none) and the identity is used.
+/// Below this determinant of C the neighbours of a particle lie in a plane or on a line, or there
+/// are none. No linear correction is possible then, and the identity replaces it.
 inline constexpr double smallest_correctable_determinant = 0.01;
 
-/// Below this trace of C, volumes taken at the reference density, a particle is at the edge of
-/// things: pairs, chains, loose sheets. They go uncorrected by right; impacts reach 0.5 at 1,000
-/// particles per target and 0.9 at 50,000. Inside a body the trace is 3.
+/// Below this trace of C, with volumes at the reference density, a particle belongs to a pair, a
+/// chain or a loose sheet, and rightly has no correction. In impacts such particles reach 0.5 at
+/// 1,000 particles per target and 0.9 at 50,000. Inside a body the trace is 3.
 inline constexpr double full_neighbourhood = 1.8;
 
-/// Whether C belongs to a full neighbourhood that lies in one plane or line, which no sound
-/// arrangement does: a collapse. `filling`: density over that of reference; loose particles have
-/// large volumes, so that a few of them make a large C without being many. A dense one among a few
-/// loose ones still passes for full here: count its neighbours, too.
+/// Whether C belongs to a full neighbourhood that lies in one plane or on one line. No sound
+/// arrangement does; it means a collapse. `filling` is the density over the reference density.
+/// Loose particles have large volumes, so that a few of them make a large C. A dense particle among
+/// a few loose ones still looks full here, so callers must count its neighbours, too.
 inline bool is_collapsed(const SymTensor& C, double filling = 1) {
   return !(determinant(C) > smallest_correctable_determinant) &&
          !(trace(C) * std::min(filling, 1.0) < full_neighbourhood);
@@ -27,7 +27,8 @@ inline bool is_collapsed(const SymTensor& C, double filling = 1) {
 
 inline constexpr double largest_moderate_norm = 6;
 
-/// L = C^-1, which makes the SPH gradient exact for linear fields (Bonet & Lok 1999).
+/// The correction L = C^-1, which makes the SPH gradient exact for linear fields (Bonet & Lok
+/// 1999).
 template <class T>
 SymTensorOf<T> correction_matrix(const SymTensorOf<T>& C) {
   const T det = determinant(C), none = T{}, one = none + 1;
@@ -37,9 +38,9 @@ SymTensorOf<T> correction_matrix(const SymTensorOf<T>& C) {
           correctable ? L.xy : none, correctable ? L.xz : none, correctable ? L.yz : none};
 }
 
-/// The correction of density and pressure: L, but the identity where L is large, that is where a
-/// particle has so few neighbours in some direction that their noise would be magnified. L is 2 on
-/// a flat surface (norm 3.5) and 4 along an edge (norm 6.9).
+/// The correction of density and pressure: L, but the identity where L is large. There a particle
+/// has so few neighbours in some direction that L would magnify their noise. L is 2 on a flat
+/// surface (norm 3.5) and 4 along an edge (norm 6.9).
 template <class T>
 SymTensorOf<T> moderate(const SymTensorOf<T>& L) {
   const T none = T{}, one = none + 1;
@@ -48,7 +49,7 @@ SymTensorOf<T> moderate(const SymTensorOf<T>& L) {
           small ? L.xy : none, small ? L.xz : none, small ? L.yz : none};
 }
 
-/// The traceless symmetric part of a velocity gradient: how it shears.
+/// The traceless symmetric part of a velocity gradient, that is, its shear rate.
 template <class T>
 SymTensorOf<T> deviatoric_strain(const Mat3Of<T>& g) {
   const T third = trace(g) / 3;

@@ -9,24 +9,29 @@
 
 namespace eerie::step {
 
-// An integrator is a list of moves of a system:
-//   kick_and_drift(a, b)  everything but positions goes on for a seconds with the rates at hand,
-//                         then positions for b seconds;
-//   evaluate(c)           rates anew, everything but positions predicted c seconds ahead with the
-//                         rates at hand;
-//   kick(d)               everything but positions goes on for d seconds.
-// or, where stress is staggered against velocity,
-//   push_and_drift(a, b)  velocities go on for a seconds with the forces at hand, then positions
-//   for b; deform(d)             everything else goes on for the d seconds of that drift, by the
-//   velocity
-//                         gradient in the middle of it;
-//   exert(c)              forces anew, velocities predicted c seconds ahead with the forces at
-//   hand; push(d)               velocities go on for d seconds.
-// The rates that a step ends with are what the next one begins with. A new integrator is one
-// file in integrators/ and one entry of the list; its order is measured by
-// tests/step/integrator_contract.cpp.
+// An integrator is a list of moves of a system.
+//
+// These are the moves where all rates belong to one time:
+//   kick_and_drift(a, b): everything but positions advances by a seconds with the present rates,
+//     then positions advance by b seconds.
+//   evaluate(c): computes new rates; everything but positions is predicted c seconds ahead with
+//     the present rates.
+//   kick(d): everything but positions advances by d seconds.
+//
+// These are the moves where stress is staggered against velocity:
+//   push_and_drift(a, b): velocities advance by a seconds with the present forces, then positions
+//     advance by b seconds.
+//   deform(d): everything else advances by the d seconds of that drift, by the velocity gradient
+//     in the middle of it.
+//   exert(c): computes new forces; velocities are predicted c seconds ahead with the present
+//     forces.
+//   push(d): velocities advance by d seconds.
+//
+// A step begins with the rates with which the last one ended. A new integrator is one file in
+// integrators/ and one entry of the list below; tests/step/integrator_contract.cpp measures its
+// order.
 
-/// Every integrator.
+/// The list of all integrators.
 using Integrator = std::variant<Leapfrog, LeapfrogPece, Staggered>;
 
 }  // namespace eerie::step

@@ -241,7 +241,7 @@ void Solver::reorder() {
   visit_state(state_, [&](const char*, auto& array) { particles::permute(array, order); });
   visit_rates(rates_, [&](const char*, auto& array) { particles::permute(array, order); });
   particles::permute(pressure_, order);
-  if (!has_room_.empty()) particles::permute(has_room_, order);
+  if (!is_void_.empty()) particles::permute(is_void_, order);
 }
 
 /// The stress returns to the yield surface.

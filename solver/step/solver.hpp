@@ -16,30 +16,30 @@
 
 namespace eerie::step {
 
-/// Integrates one State under the laws of a Scene (its bodies and impact are not looked at).
-/// Equations and scheme: docs/equations.md.
+/// Integrates one State under the laws of a Scene; it does not use the scene's bodies and impact.
+/// docs/equations.md has the equations and the scheme.
 ///
-/// A predictor-corrector leapfrog with one evaluation of the elastic and frictional forces per
-/// step. Gravity changes slowly: it is evaluated once in a *cycle* of steps, as long as
-/// `gravity_tolerance` allows, and extrapolated linearly in between. A cycle has one dt; runs are
-/// interrupted only between cycles.
+/// The default is a predictor-corrector leapfrog with one evaluation of the elastic and frictional
+/// forces per step. Gravity changes slowly, so it is evaluated once per *cycle* of steps and
+/// extrapolated linearly in between. `gravity_tolerance` limits the length of a cycle. All steps of
+/// a cycle have one dt, and runs are interrupted only between cycles.
 class Solver {
  public:
-  /// Takes the state, sorts it into memory order and evaluates its first rates. Fields of
-  /// optional physics that the state lacks start at zero energy and undamaged.
+  /// Takes the state, sorts it into memory order and evaluates its first rates. Where the state
+  /// lacks fields of optional physics, its energy starts at zero and its material undamaged.
   Solver(const Scene& scene, particles::State state);
-  /// Goes on from a checkpoint: memory order, lists, rates and pressures as they were.
+  /// Continues from a checkpoint with its memory order, lists, rates and pressures.
   Solver(const Scene& scene, particles::State state, particles::Rates rates,
          const particles::Restart& restart, std::vector<double> pressure);
 
-  /// One cycle of steps, shorter where `end_time` is near. Throws
-  /// NumericalError when the state stops being physical; the state is then of no use.
+  /// Makes one cycle of steps, a shorter one where `end_time` is near. Throws NumericalError where
+  /// the state stops being physical; the state is then useless.
   void cycle(double end_time);
 
-  /// Multiplies all velocities, relative to a rotation `omega` (rad/s) about the origin; for
-  /// settling bodies before a run.
+  /// Multiplies all velocities relative to a rotation `omega` (rad/s) about the origin by a factor.
+  /// It damps bodies that settle before a run.
   void damp(double factor, const Vec3& omega = {});
-  /// Adds a rotation `omega` about the origin to all velocities; for spinning bodies up.
+  /// Adds a rotation `omega` (rad/s) about the origin to all velocities.
   void spin_up(const Vec3& omega);
 
   const particles::State& state() const { return state_; }
@@ -53,14 +53,15 @@ class Solver {
   const StageTimes& stages() const { return stages_; }
   StageTimes& stages() { return stages_; }
   long list_builds() const { return list_builds_; }
-  /// Particles of the last evaluation whose gradient has too few neighbours to be corrected.
+  /// The number of particles that had too few neighbours for a corrected gradient at the last
+  /// evaluation.
   long uncorrected() const { return uncorrected_; }
 
-  // The moves of an integrator (integrator.hpp).
+  // These are the moves of an integrator (integrator.hpp).
   void kick_and_drift(double kick, double drift);
   void evaluate(double ahead);
   void kick(double duration);
-  // Those of a staggered one (staggered.cpp).
+  // These are the moves of a staggered integrator (staggered.cpp).
   void push_and_drift(double push, double drift);
   void deform(double duration);
   void exert(double ahead);
@@ -85,17 +86,17 @@ class Solver {
   struct Predicted {
     double rho, c;
   };
-  /// How far ahead of the state the rows of pair sums are, s, and whether the state itself takes
-  /// the yielded stress.
+  /// How far the rows of the pair sums are ahead of the state, s, and whether the state itself
+  /// takes the yielded stress.
   struct Ahead {
     double velocity, stress;
     bool is_final = false;
   };
-  /// How a particle was strained in a step, and what it has come to.
+  /// How one step strains a particle, and the stress and density that follow.
   struct Strained {
-    Mat3 G;               ///< uncorrected velocity gradient in the middle, 1/s
-    SymTensorf L_before;  ///< of the forces at its beginning
-    SymTensor trial;      ///< stress, Pa
+    Mat3 G;               ///< uncorrected velocity gradient in the middle of the step, 1/s
+    SymTensorf L_before;  ///< correction of the forces at the beginning of the step
+    SymTensor trial;      ///< stress before yielding, Pa
     double rho_after;     ///< kg/m^3
   };
   enum class Gradient { corrected_fully, corrected, corrected_rate, plain };
@@ -107,7 +108,7 @@ class Solver {
   void reorder();
   void find_voids();
   void close_voids();
-  bool is_void(std::size_t i) const { return !has_room_.empty() && has_room_[i]; }
+  bool is_void(std::size_t i) const { return !is_void_.empty() && is_void_[i]; }
   void apply_material(Ahead ahead);
   void apply_laws(std::size_t bucket, double ahead, std::array<Predicted, tree::bucket_size>& out);
   void fill_rows(std::size_t bucket, Ahead ahead,
@@ -133,14 +134,14 @@ class Solver {
   bool knows_gravity_rate() const;
   bool is_staggered() const { return std::holds_alternative<Staggered>(integrator_); }
 
-  /// The pressure that friction feels.
+  /// The pressure that friction uses, Pa.
   double confining_pressure(std::size_t i) const {
     return fields_.viscous_pressure ? pressure_[i] + rates_.viscous_pressure[i] : pressure_[i];
   }
   double predicted_density(std::size_t i, double ahead) const {
     return particles::changed_density(state_.rho[i], ahead * rates_.drho_dt[i]);
   }
-  /// Of the volume that a particle takes up in sums.
+  /// The density that gives the volume of a particle in the sums, kg/m^3.
   double filling_density(double rho) const { return std::max(rho, thinnest_); }
   double smoothing_length(double rho) const;
   double largest_support() const;
@@ -167,7 +168,7 @@ class Solver {
   particles::OptionalFields fields_;
   Gradient gradient_;
   double thinnest_;        ///< see filling_density, kg/m^3
-  bool stressed_surface_;  ///< free surfaces carry stress: in tension or by cohesion
+  bool stressed_surface_;  ///< whether free surfaces carry stress, by tensile strength or cohesion
   material::Flaws flaws_;
   std::vector<tree::Mirror> walls_;
   bool evolving_h_;
@@ -177,13 +178,15 @@ class Solver {
   tree::Gravity gravity_;
   tree::NeighbourList lists_;
   tree::KdTree tree_;
-  std::vector<float> yield_factor_;     ///< what yielding leaves of the predicted stress
-  std::vector<double> pressure_;        ///< at the time of the rates
-  std::vector<std::uint8_t> has_room_;  ///< room around a particle; empty where nobody asks
-  long since_gravity_ = 0;              ///< steps since gravity was evaluated
+  /// Fraction of the predicted stress that remains after yielding.
+  std::vector<float> yield_factor_;
+  std::vector<double> pressure_;  ///< at the time of the rates
+  /// Whether a particle has a void around it; empty without numerics.voids.
+  std::vector<std::uint8_t> is_void_;
+  long since_gravity_ = 0;  ///< steps since gravity was evaluated
   double dt_ = 0;
   long list_builds_ = 0, builds_in_order_ = 0, uncorrected_ = 0;
-  /// No particle gets further than reach + fastest_expected (t - begun).
+  /// No particle is further from the origin than reach + fastest_expected (t - begun).
   double reach_ = 0, fastest_expected_ = 0, begun_ = 0;
   StageTimes stages_;
 };

@@ -72,7 +72,7 @@ void Solver::find_voids() {
   const StageTimer timer(stages_, Stage::material);
   const double rho0 = material_.reference_density, part = scene_.numerics.void_density;
   const bool gaps_only = scene_.numerics.voids == "gaps";
-  has_room_.resize(state_.size());
+  is_void_.resize(state_.size());
   std::visit(
       [&](auto kernel) {
         using Kernel = decltype(kernel);
@@ -98,7 +98,7 @@ void Solver::find_voids() {
             around.pad();
             const double per_volume = state_.mass * Kernel::normalisation / cubed(state_.h);
             for (std::size_t k = 0; k < tree::bucket_size && begin + k < state_.size(); ++k)
-              has_room_[begin + k] = has_room({around, k, per_volume});
+              is_void_[begin + k] = has_room({around, k, per_volume});
           }
         }
       },
@@ -107,10 +107,10 @@ void Solver::find_voids() {
 
 /// Where nothing presses, nothing is compressed: density ends a step at that of reference at most.
 void Solver::close_voids() {
-  if (has_room_.empty()) return;
+  if (is_void_.empty()) return;
 #pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < has_room_.size(); ++i)
-    if (has_room_[i]) state_.rho[i] = std::min(state_.rho[i], material_.reference_density);
+  for (std::size_t i = 0; i < is_void_.size(); ++i)
+    if (is_void_[i]) state_.rho[i] = std::min(state_.rho[i], material_.reference_density);
 }
 
 }  // namespace eerie::step

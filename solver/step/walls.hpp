@@ -7,11 +7,11 @@
 
 namespace eerie::step {
 
-/// The walls of a scene as mirrors.
+/// The walls of a scene, as mirrors.
 std::vector<tree::Mirror> mirrors(const Scene::Environment& environment);
 
-/// Throws InputError where two walls of an axis are closer than `search_radius` (m): a particle
-/// would see images of images.
+/// Throws InputError where two walls of an axis are closer than `search_radius` (m), since a
+/// particle would then have images of images as neighbours.
 void require_walls_apart(const Scene::Environment& environment, double search_radius);
 
 }  // namespace eerie::step

@@ -8,10 +8,11 @@
 
 namespace eerie::tree {
 
-/// Self-gravity of equal-mass particles by a Barnes-Hut walk over the kd tree: monopole and
-/// quadrupole of a node of size b at distance d where b < theta d, else its particles one by
-/// one, softened with the potential of the cubic spline inside 2h (Hernquist & Katz 1989,
-/// appendix A). One bucket of targets walks once; sums over sources run in tree order.
+/// Self-gravity of particles of equal mass, by a Barnes-Hut walk over the kd tree. A node of size b
+/// at distance d acts by its monopole and quadrupole where b < theta d; otherwise its particles act
+/// one by one. Inside 2h the potential of the cubic spline softens them (Hernquist & Katz 1989,
+/// appendix A). The tree is walked once per bucket of targets, and sums over sources run in tree
+/// order.
 class Gravity {
  public:
   struct Parameters {
@@ -21,25 +22,26 @@ class Gravity {
   };
   explicit Gravity(const Parameters& p) : p_(p) {}
 
-  /// Accelerations (m/s^2) at `x`, memory order; `tree` must be fitted to `x`.
+  /// Computes the accelerations (m/s^2) at `x`, in memory order. `tree` must be fitted to `x`.
   void accelerations(const KdTree& tree, const std::vector<Vec3>& x, std::vector<Vec3>& g);
-  /// The same, handed to store(i, g_i) by several threads, each particle once.
+  /// Computes the same accelerations and hands each to store(i, g_i). Several threads call it, once
+  /// per particle.
   void accelerations(const KdTree& tree, const std::vector<Vec3>& x,
                      const std::function<void(std::size_t, const Vec3&)>& store);
 
-  /// Of the particles at `sources`, which `tree` is fitted to, on those at `targets`; each in a kd
-  /// order of its own.
+  /// Computes the accelerations (m/s^2) at `targets` by the particles at `sources`, to which `tree`
+  /// is fitted. Both arrays are in a kd order of their own.
   void accelerations(const KdTree& tree, const std::vector<Vec3>& sources,
                      const std::vector<Vec3>& targets,
                      const std::function<void(std::size_t, const Vec3&)>& store);
 
-  /// Total potential energy, J; the same walk.
+  /// The total potential energy, J, by the same walk.
   double potential_energy(const KdTree& tree, const std::vector<Vec3>& x);
 
  private:
   struct Moments {
-    Vec3 centre;            ///< of mass, m
-    float count;            ///< mass in particle masses
+    Vec3 centre;            ///< centre of mass, m
+    float count;            ///< mass, in units of a particle's mass
     float size;             ///< largest distance of a corner of the box from the centre, m
     SymTensorf quadrupole;  ///< sum of 3 x x - r^2 1, m^2
   };

@@ -8,8 +8,8 @@
 
 namespace eerie::tree {
 
-/// A mirror image of the whole scene: x -> sign x + shift, component by component. Velocities and
-/// stresses change sign in their own way, which is what kind of wall it is.
+/// A mirror image of the whole scene: x becomes sign x + shift, component by component. The kind of
+/// wall decides how velocities and stresses change sign.
 struct MirrorImage {
   Vec3 sign{1, 1, 1}, shift;
   Vec3 velocity_sign{1, 1, 1};
@@ -28,7 +28,7 @@ struct MirrorImage {
     return {velocity_sign.x * v.x, velocity_sign.y * v.y, velocity_sign.z * v.z};
   }
   SymTensor stress(const SymTensor& s) const { return with_signs(s, stress_sign); }
-  /// Of a tensor made of positions.
+  /// The image of a tensor that is made of positions.
   SymTensor geometry(const SymTensor& s) const { return with_signs(s, sign); }
 
  private:
@@ -37,9 +37,9 @@ struct MirrorImage {
   }
 };
 
-/// A plane that mirrors: a slip wall reflects velocity and stress, so that it carries no shear;
-/// a rough one reverses the whole velocity and passes the stress on, so that material sticks to
-/// it until its own strength gives way.
+/// A plane that mirrors. A slip wall reflects velocity and stress, and so carries no shear. A rough
+/// wall reverses the whole velocity and keeps the stress, so that material sticks to it until its
+/// own strength yields.
 struct Mirror {
   int axis;
   bool low;  ///< the scene lies above it
@@ -47,7 +47,7 @@ struct Mirror {
   bool rough;
 };
 
-/// `image` seen in one more mirror, of another axis.
+/// `image`, seen in a further mirror on another axis.
 inline MirrorImage reflected(MirrorImage image, const Mirror& mirror) {
   image.sign[mirror.axis] = -1;
   image.shift[mirror.axis] = 2 * mirror.at;
@@ -57,8 +57,9 @@ inline MirrorImage reflected(MirrorImage image, const Mirror& mirror) {
   return image;
 }
 
-/// All images that `mirrors` (at most two on each axis) make within one reflection of each axis:
-/// enough while two mirrors of an axis are further apart than the neighbour search reaches.
+/// All images that `mirrors` (at most two on each axis) make with at most one reflection per axis.
+/// These suffice while two mirrors of an axis are further apart than the radius of the neighbour
+/// search.
 inline std::vector<MirrorImage> images_of(const std::vector<Mirror>& mirrors) {
   std::vector<MirrorImage> images{MirrorImage{}};
   for (int axis = 0; axis < 3; ++axis) {

@@ -8,8 +8,8 @@
 
 namespace eerie::tree {
 
-/// Places as floats, relative to a point near by, side by side, so that the distances of a whole
-/// pack of them are found at once.
+/// Positions as floats, relative to a nearby point. Components lie side by side, so that the
+/// distances of a whole pack are computed at once.
 struct Places {
   std::vector<float> x, y, z;
 
@@ -19,14 +19,14 @@ struct Places {
     y.push_back(static_cast<float>(d.y));
     z.push_back(static_cast<float>(d.z));
   }
-  /// To whole packs, with places far away.
+  /// Fills up the last pack with positions far away.
   void pad() {
     while (x.size() % lanes<float> != 0) push({1e9, 1e9, 1e9});
   }
   struct Offsets {
     Pack<float> x, y, z;
   };
-  /// The pack that begins at number `first`, relative to a place.
+  /// The pack that begins at index `first`, relative to a position.
   Offsets offsets(std::size_t first, float at_x, float at_y, float at_z) const {
     Offsets d;
     std::memcpy(&d.x, x.data() + first, sizeof d.x);
@@ -35,7 +35,7 @@ struct Places {
     d.x -= at_x, d.y -= at_y, d.z -= at_z;
     return d;
   }
-  /// Squared distances of the pack that begins at number `first` from a place.
+  /// The squared distances from a position of the pack that begins at index `first`.
   Pack<float> distance2(std::size_t first, float at_x, float at_y, float at_z) const {
     const auto [dx, dy, dz] = offsets(first, at_x, at_y, at_z);
     return dx * dx + dy * dy + dz * dz;

@@ -95,8 +95,10 @@ const std::map<std::string, Rooms> allowed = {
     {"campaign/facts",
      {"campaign/maps", "campaign/text", "db/store", "db/views", "analysis/paper",
       "analysis/remnants", "analysis/diagrams"}},
+    {"campaign/surroundings", {"campaign/text", "analysis/disk"}},
     {"campaign/run_pictures",
-     {"campaign/job_folder", "analysis/pictures", "analysis/remnants", "solver/io"}},
+     {"campaign/job_folder", "campaign/text", "analysis/drawing", "analysis/pictures",
+      "analysis/remnants", "solver/io"}},
 };
 
 /// The command line and main() may include all but the insides of the solver.

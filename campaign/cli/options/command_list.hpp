@@ -4,37 +4,16 @@
 
 namespace eerie::cli {
 
-// Each adds one command's options to its part of the command line and gives what it does. The
-// arguments live as long as the action.
+/// Adds the options of one command to its part of the command line and returns what it does. The
+/// arguments live as long as the action.
+using AddCommand = Action(CLI::App& app);
 
-Action add_run(CLI::App& app);
-Action add_expand(CLI::App& app);
-Action add_solve(CLI::App& app);
-Action add_analyse(CLI::App& app);
-Action add_daemon(CLI::App& app);
-Action add_submit(CLI::App& app);
-Action add_pause(CLI::App& app);
-Action add_resume(CLI::App& app);
-Action add_cancel(CLI::App& app);
-Action add_retry(CLI::App& app);
-Action add_priority(CLI::App& app);
-Action add_wall_limit(CLI::App& app);
-Action add_status(CLI::App& app);
-Action add_serve(CLI::App& app);
-Action add_log(CLI::App& app);
-Action add_show(CLI::App& app);
-Action add_query(CLI::App& app);
-Action add_catalogue(CLI::App& app);
-Action add_sizes(CLI::App& app);
-Action add_doctor(CLI::App& app);
-Action add_converge(CLI::App& app);
-Action add_chart(CLI::App& app);
-Action add_threshold(CLI::App& app);
-Action add_check(CLI::App& app);
-Action add_disk(CLI::App& app);
-Action add_lightcurve(CLI::App& app);
-Action add_map(CLI::App& app);
-Action add_worker(CLI::App& app);      ///< hidden
-Action add_slurm_task(CLI::App& app);  ///< hidden
+AddCommand add_run, add_expand, add_solve, add_analyse;
+AddCommand add_daemon, add_submit, add_pause, add_resume, add_cancel, add_retry, add_priority,
+    add_wall_limit;
+AddCommand add_status, add_serve, add_log, add_show, add_query, add_catalogue, add_sizes,
+    add_doctor;
+AddCommand add_converge, add_chart, add_threshold, add_check, add_disk, add_lightcurve, add_map;
+AddCommand add_worker, add_slurm_task;  // hidden
 
 }  // namespace eerie::cli

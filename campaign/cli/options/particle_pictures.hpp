@@ -1,29 +1,26 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "campaign/cli/options/options.hpp"
+#include "campaign/run_pictures/picture_files.hpp"
 
 namespace eerie::cli {
 
-/// What `eerie show` draws.
+/// The pictures that `eerie show` draws.
 struct PictureArguments {
-  std::string panels;                   ///< times, s, with commas; empty: chosen
-  std::filesystem::path picture, film;  ///< empty: none
+  run_pictures::PictureRequest request;
+  std::string times;  ///< with commas; empty: chosen
   std::string colour = "body";
-  std::optional<double> width;  ///< of what a panel shows, m
-  bool cut = false;             ///< along the plane of the orbit
-  double frames_per_s = 15;
 
-  bool wanted() const { return !picture.empty() || !film.empty() || !panels.empty(); }
+  bool wanted() const { return !request.panels.empty() || !request.film.empty() || !times.empty(); }
 };
 void add_pictures(CLI::App& app, PictureArguments& arguments);
 
-/// Draws a job directory's snapshots and says what was drawn:
+/// Draws the snapshots of a job directory. Answers
 /// {"panels": [{"requested_s" (null where chosen), "time_s", "file", "remnants_outside"}],
-///  "frames", "frame_width_m", "centred_on", "pictures": [file...]}
+///  "frames", "frame_width_m", "centred_on", "pictures": [file...]}.
 /// Throws InputError for what cannot be drawn.
 Answer draw_pictures(const PictureArguments& arguments, const std::filesystem::path& folder);
 

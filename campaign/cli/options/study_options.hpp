@@ -8,15 +8,15 @@
 
 namespace eerie::cli {
 
-/// What commands that run studies share.
+/// The options that commands for studies share.
 struct StudyArguments {
   std::filesystem::path study;
-  studies::StudyPlan plan;  ///< but for name and document
+  studies::StudyPlan plan;  ///< without name and document
   manager::Share share;
 };
 void add_study(CLI::App& app, StudyArguments& arguments);
 
-/// studies::work_on_study(), shown on the terminal.
+/// Calls studies::work_on_study() and shows its progress.
 template <class Study, class Run>
 studies::StudyWork<Run> watch_study(StudyArguments a, const Study& study,
                                     const std::vector<Run>& runs, Output& out) {
@@ -26,7 +26,7 @@ studies::StudyWork<Run> watch_study(StudyArguments a, const Study& study,
   return studies::work_on_study(a.plan, runs, workplace({}, a.share), watch);
 }
 
-/// {"study", "results", "failed", "left", "files"} and the exit code of it.
+/// The answer {"study", "results", "failed", "left", "files"}, with its exit code.
 Answer study_answer(const std::string& study, std::size_t results, const manager::Tally& left,
                     const std::vector<std::filesystem::path>& files);
 

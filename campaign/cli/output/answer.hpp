@@ -22,7 +22,8 @@ using text::Field, text::Table, text::Value, text::table_of;
 
 inline constexpr int stopped_by_signal = 130;  // 128 + SIGINT, as shells expect
 
-/// An argument of a line for people: what could be text of a user or of a file is made plain.
+/// An argument of a line for people. Texts and paths, which may come from users or files, are made
+/// plain.
 template <class T>
 decltype(auto) plain_argument(const T& value) {
   if constexpr (std::is_same_v<T, std::filesystem::path>)
@@ -36,46 +37,46 @@ decltype(auto) plain_argument(const T& value) {
 template <class... T>
 using Pattern = fmt::format_string<decltype(plain_argument(std::declval<const T&>()))...>;
 
-/// fmt::format() whose ends of line are those of the pattern alone.
+/// fmt::format() with plain arguments, so that only the pattern can end a line.
 template <class... T>
 std::string line(Pattern<T...> pattern, const T&... arguments) {
   return fmt::format(pattern, plain_argument(arguments)...);
 }
 
-/// What a command answers: a document for programs, and the same for people, in lines and tables.
-/// Who makes it does not know how it is printed.
+/// The answer of a command: a document for programs, and lines and tables for people. A command
+/// does not know how its answer is printed.
 class Answer {
  public:
   Answer() = default;
   explicit Answer(int code) : exit_code(code) {}
   explicit Answer(ExitCode code) : exit_code(static_cast<int>(code)) {}
 
-  nlohmann::json data;  ///< what --json prints
+  nlohmann::json data;  ///< the document that --json prints
   int exit_code = 0;
 
-  /// Lines for people.
+  /// Adds lines for people.
   template <class... T>
   void say(Pattern<T...> pattern, const T&... arguments) {
     add_text(cli::line<T...>(pattern, arguments...));
   }
-  /// A table for people and for CSV, and where it has a legend that below.
+  /// Adds a table for people and for CSV, with its legend below.
   void add(Table table, const std::string& legend = "") {
     blocks_.emplace_back(std::move(table));
     if (!legend.empty()) add_text("\n" + legend);
   }
-  /// Lines that line() made.
+  /// Adds lines that line() has made.
   void add_text(std::string text) { blocks_.emplace_back(std::move(text)); }
-  /// A line for each file.
+  /// Adds a line for each file.
   void add_files(const std::vector<std::filesystem::path>& files) {
     for (const auto& file : files) say("{}\n", file);
   }
-  /// A complaint, on standard error after all else.
+  /// Adds a complaint, which goes to standard error after everything else.
   template <class... T>
   void complain(Pattern<T...> pattern, const T&... arguments) {
     complaints_.push_back(cli::line<T...>(pattern, arguments...));
   }
 
-  /// A warning that JSON has in its own way.
+  /// Adds a warning, which JSON contains in its document.
   void warn(const std::string& text) { warnings_.push_back(text); }
 
   using Block = std::variant<std::string, Table>;
@@ -88,7 +89,10 @@ class Answer {
   std::vector<std::string> warnings_, complaints_;
 };
 
-/// Paths as a list of words.
+/// The end of a complaint about a database: "`eerie status --db FILE` shows what it holds".
+std::string see_status(const std::filesystem::path& database);
+
+/// Paths as a list of texts.
 nlohmann::json names_of(const std::vector<std::filesystem::path>& files);
 
 }  // namespace eerie::cli

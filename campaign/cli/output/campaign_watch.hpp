@@ -8,7 +8,7 @@
 
 namespace eerie::cli {
 
-/// Shows a campaign at work: what begins, and its progress.
+/// Shows a campaign at work: what begins, and the progress.
 class CampaignWatch : public studies::StudyObserver, public auto_fidelity::AutoObserver {
  public:
   CampaignWatch(std::string name, Output& out) : name_(std::move(name)), out_(out) {}
@@ -26,8 +26,8 @@ class CampaignWatch : public studies::StudyObserver, public auto_fidelity::AutoO
   StatusLine line_;
 };
 
-/// How a campaign ended, by what is left of it: the exit code, and why that is not 0. `how` says
-/// from where the same command goes on.
+/// Sets the exit code of a campaign by what is left of it, and complains where that is not 0. `how`
+/// says from where the same command continues.
 void conclude(Answer& answer, const manager::Tally& tally, const std::string& how = "");
 
 }  // namespace eerie::cli

@@ -6,10 +6,10 @@
 
 namespace eerie::cli {
 
-/// To standard error, made plain, its lines kept. Nobody reads it: no reason to stop.
+/// Writes plain lines to standard error. A failure to write is no reason to stop.
 void complain(std::string_view text);
 
-/// "warning: ..." for each.
+/// Complains "warning: ..." for each.
 void print_warnings(const std::vector<std::string>& warnings);
 
 }  // namespace eerie::cli

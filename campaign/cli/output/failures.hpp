@@ -6,7 +6,7 @@
 
 namespace eerie::cli {
 
-/// Groups of failures, a line each with an example.
+/// Adds a line for each group of failures, with an example.
 void add_failures(Answer& answer, const std::vector<db::FailureGroup>& failures,
                   const job_folder::JobFolder& folder);
 

@@ -4,8 +4,8 @@
 
 namespace eerie::cli {
 
-/// An outcome for people, the class and tables of the remnants, of a document as
-/// remnants::to_json() makes it.
+/// Adds an outcome for people: its class and tables of its remnants. `analysis` is a document of
+/// remnants::to_json().
 void add_outcome(Answer& answer, const nlohmann::json& analysis);
 
 }  // namespace eerie::cli

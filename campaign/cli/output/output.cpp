@@ -8,6 +8,10 @@
 
 namespace eerie::cli {
 
+std::string see_status(const std::filesystem::path& database) {
+  return fmt::format("`eerie status --db {}` shows what it holds", database.string());
+}
+
 nlohmann::json names_of(const std::vector<std::filesystem::path>& files) {
   nlohmann::json names = nlohmann::json::array();
   for (const auto& file : files) names.push_back(file.string());

@@ -11,11 +11,11 @@ namespace eerie::cli {
 
 enum class Format { people, json, csv, nothing };
 
-/// The answer in a format. People's tables take `width` at most (0: what they need); CSV is that
-/// of the answer's tables.
+/// The answer in a format. Tables for people are at most `width` columns wide (0: no limit). CSV
+/// consists of the tables of the answer.
 std::string rendered(const Answer& answer, Format format, std::size_t width);
 
-/// Standard output: the one place that prints. It keeps in mind what could not be written.
+/// Standard output, the one place that prints. It remembers the first failure to write.
 class Output {
  public:
   explicit Output(int descriptor, Format format = Format::people);
@@ -23,21 +23,21 @@ class Output {
   Format format = Format::people;
 
   void print(const Answer& answer);
-  /// Lines for people while a command is at work; nothing in other formats.
+  /// Prints lines for people while a command works; nothing in other formats.
   template <class... T>
   void say(Pattern<T...> pattern, const T&... arguments) {
     if (format == Format::people) write(line<T...>(pattern, arguments...));
   }
-  /// As it is, but that nothing in it is obeyed by a terminal.
+  /// Writes a text. On a terminal it makes the text plain, so that the terminal obeys nothing in
+  /// it.
   void write(std::string_view text);
 
-  /// Begins a page anew where that can be.
+  /// Clears the terminal for a new page where it can.
   void begin_page();
   const process::Terminal& terminal() const { return terminal_; }
-  /// Whether nobody takes what is written any more: they have gone, or the disk is full.
+  /// Whether writing has failed, because the reader has gone or the disk is full.
   bool is_over() const { return problem_ != 0; }
-  /// Throws EnvironmentError where something could not be written. A reader who has closed the
-  /// pipe has seen enough: that is no error.
+  /// Throws EnvironmentError where writing failed. A pipe that its reader has closed is no error.
   void finish();
 
  private:

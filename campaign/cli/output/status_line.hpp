@@ -8,26 +8,26 @@
 
 namespace eerie::cli {
 
-/// What is going on, on standard error: one line that redraws itself twice a second on a terminal
-/// and always fits it, else a line at most every ten seconds.
+/// A line about the present state, on standard error. On a terminal it is redrawn twice a second
+/// and always fits; elsewhere a line is written at most every ten seconds.
 class StatusLine {
  public:
   StatusLine();
-  /// `text` gives a line of at most so many columns (0: any), with more in it for people who look
-  /// on.
+  /// `text` returns a line of at most `width` columns (0: no limit). It may say more where people
+  /// look on.
   using Text = std::function<std::string(std::size_t width, bool on_terminal)>;
   void show(const Text& text);
-  void finish();  ///< leaves the terminal's line
+  void finish();  ///< clears the line of the terminal
 
  private:
   void draw(const std::string& text);
 
   process::Terminal terminal_;
-  std::size_t drawn_ = 0;  ///< columns of what stands there
+  std::size_t drawn_ = 0;  ///< columns of the line on the terminal
   std::chrono::steady_clock::time_point next_;
 };
 
-/// Shows "examined 3 of 15" on a terminal; leaves its line at the last.
+/// Shows "examined 3 of 15" on a terminal, and clears the line at the end.
 class CountLine {
  public:
   explicit CountLine(std::string verb) : verb_(std::move(verb)) {}

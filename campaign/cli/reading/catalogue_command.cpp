@@ -47,8 +47,7 @@ Answer export_catalogue(const CatalogueArguments& a, Output& out) {
     answer.say("{}: {} impacts\n", a.output, impacts);
   }
   if (impacts == 0)
-    answer.complain("no result in {} matches; `eerie status --db {}` shows what it holds",
-                    a.database, a.database);
+    answer.complain("no result in {} matches; {}", a.database, see_status(a.database));
   return answer;
 }
 

@@ -6,9 +6,7 @@
 #include "analysis/light_curve/turning_remnant.hpp"
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/files.hpp"
-#include "campaign/job_folder/snapshot_files.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/base/file.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;
@@ -25,24 +23,6 @@ struct LightCurveArguments {
   double aspect_deg = 90;
   fs::path picture;  ///< empty: none
 };
-
-/// The snapshot itself, or the last one of a job or folder.
-fs::path snapshot_of(const LightCurveArguments& a) {
-  if (fs::path(a.job).extension() == ".hdf5") return a.job;
-  return job_folder::snapshot_series(queries::folder_of(a.database, a.job).path).back().path;
-}
-
-std::vector<fs::path> write_figure(const fs::path& picture,
-                                   const light_curve::LightCurveFigure& figure) {
-  const fs::path stem = picture.parent_path() / picture.stem();
-  const std::vector<fs::path> files = {picture, stem.string() + ".csv",
-                                       stem.string() + "-aspect.csv"};
-  make_folder_of(picture);
-  light_curve::draw_light_curve(files[0], figure);
-  install_text(files[1], light_curve::light_curve_csv(figure.curve));
-  install_text(files[2], light_curve::amplitudes_csv(figure.amplitudes));
-  return files;
-}
 
 /// Every 15 degrees for people: the files have them all.
 Table table_of_amplitudes(const std::vector<light_curve::AspectAmplitude>& amplitudes, bool all) {
@@ -73,9 +53,8 @@ void say_shape(Answer& answer, const light_curve::TurningRemnant& seen, int rank
 }
 
 Answer show_light_curve(const LightCurveArguments& a) {
-  if (!a.picture.empty())
-    drawing::gnuplot_terminal(a.picture, 1, 1);  // refuses other formats at once
-  const fs::path path = snapshot_of(a);
+  if (!a.picture.empty()) drawing::require_figure_file(a.picture);
+  const fs::path path = queries::snapshot_of(a.database, a.job);
   const io::Snapshot snapshot = io::read_snapshot(path);
   const light_curve::TurningRemnant seen = light_curve::remnant_of(snapshot, a.rank, path);
   const light_curve::LightCurveFigure figure{
@@ -84,8 +63,11 @@ Answer show_light_curve(const LightCurveArguments& a) {
   const double by_particles = light_curve::amplitude(figure.curve.particles);
   const double by_ellipsoid =
       light_curve::ellipsoid_amplitude(seen.body.shape, figure.curve.aspect);
-  const std::vector<fs::path> files =
-      a.picture.empty() ? std::vector<fs::path>{} : write_figure(a.picture, figure);
+  std::vector<fs::path> files;
+  if (!a.picture.empty()) {
+    make_folder_of(a.picture);
+    files = light_curve::write_light_curve(a.picture, figure);
+  }
   Answer answer;
   answer.data = {{"snapshot", path.string()},
                  {"time_s", snapshot.state.time},

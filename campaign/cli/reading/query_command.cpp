@@ -36,9 +36,8 @@ Answer answer_of(const db::Connection& connection, const db::ViewQuery& query, b
   Answer answer;
   if (rows.rows.empty()) {
     constexpr std::array one_row = {"result", "remnant", "point"};
-    complain(line("no {} in {} matches; `eerie status --db {}` shows what it holds",
-                  one_row.at(static_cast<std::size_t>(query.view)), connection.path(),
-                  connection.path()));
+    complain(line("no {} in {} matches; {}", one_row.at(static_cast<std::size_t>(query.view)),
+                  connection.path(), see_status(connection.path())));
   }
   Table table = query.columns.empty() ? results::short_table(rows) : results::plain_table(rows);
   answer.data = with_meanings ? results::described(rows) : records(table);

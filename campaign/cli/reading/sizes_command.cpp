@@ -35,14 +35,13 @@ Answer answer_of(const std::vector<figures::SizeDistribution>& all) {
 
 Answer sizes(const SizesArguments& a) {
   for (const fs::path& file : a.files)
-    if (file.extension() != ".csv") drawing::gnuplot_terminal(file, 1, 1);  // throws for no format
+    if (file.extension() != ".csv") drawing::require_figure_file(file);
   const db::Connection connection(a.database, db::Access::read);
   const std::vector<figures::SizeDistribution> all = results::size_distributions(
       connection, queries::filtered(connection, db::View::results, a.filter));
   if (all.empty())
     throw InputError(
-        fmt::format("{}: no result matches; `eerie status --db {}` shows what it holds",
-                    a.database.string(), a.database.string()));
+        fmt::format("{}: no result matches; {}", a.database.string(), see_status(a.database)));
   for (const fs::path& file : a.files) {
     make_folder_of(file);
     if (file.extension() == ".csv")

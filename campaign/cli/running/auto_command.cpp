@@ -1,4 +1,3 @@
-#include "campaign/auto_fidelity/auto_fidelity.hpp"
 #include "campaign/cli/output/campaign_watch.hpp"
 #include "campaign/cli/running/run_arguments.hpp"
 #include "campaign/text/json_file.hpp"
@@ -7,13 +6,6 @@ namespace eerie::cli {
 using auto_fidelity::AutoFidelity;
 
 namespace {
-
-auto_fidelity::AutoOptions options_of(const RunArguments& a) {
-  auto_fidelity::AutoOptions options;
-  if (a.confidence > 0) options.confidence = a.confidence;
-  if (a.most_seeds > 0) options.most_seeds = a.most_seeds;
-  return options;
-}
 
 /// "0.12 sketch, 0.34 survey".
 std::string hours_by_rung(const AutoFidelity& campaign) {
@@ -64,19 +56,18 @@ Answer answer_of(const AutoFidelity& campaign, const std::string& sweep, const m
 Answer run_auto(const RunArguments& a, Output& out) {
   if (!a.maps.empty())
     throw InputError("--map: --fidelity auto draws its own maps beside the database; leave it out");
-  AutoFidelity campaign(
-      auto_fidelity::ladder(text::load_json(a.sweep), a.changes.overrides, a.sweep.string(),
-                            a.finest.empty() ? "fine" : a.finest),
-      options_of(a));
+  AutoFidelity campaign(auto_fidelity::ladder(text::load_json(a.sweep), a.changes.overrides,
+                                              a.sweep.string(), a.finest),
+                        a.automatic);
   const sweeps::Sweep& sweep = campaign.rungs().back().sweep;
-  require_consistent(a.engine);
-  HeldDatabase held(a.database, a.engine);
+  require_consistent(a.scheduler);
+  HeldDatabase held(a.database, a.scheduler);
   const auto_fidelity::AutoPlan plan{sweep.name + "-auto", sweeps::document(sweep), a.core_hours,
                                      a.retry_failed};
   manager::Tally last;
   {
     CampaignWatch watch(plan.name, out);
-    last = auto_fidelity::run_auto(held.connection, campaign, plan, workplace(a.engine, a.share),
+    last = auto_fidelity::run_auto(held.connection, campaign, plan, workplace(a.scheduler, a.share),
                                    watch);
   }
   const std::string stem = fmt::format("{}-{}-auto", a.database.stem().string(), sweep.name);

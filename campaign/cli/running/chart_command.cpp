@@ -13,15 +13,15 @@ struct ChartArguments {
 };
 
 Answer chart(const ChartArguments& a, Output& out) {
-  const studies::ChartStudy study = studies::load_chart_study(a.work.study);
+  const studies::CostStudy study = studies::load_cost_study(a.work.study);
   const auto [left, results, jobs] = watch_study(a.work, study, studies::runs_of(study), out);
-  const std::vector<studies::ChartPoint> points = studies::chart_points(study, results);
+  const std::vector<studies::CostPoint> points = studies::cost_points(study, results);
   if (points.empty())
     throw InputError(fmt::format(
         "{}: the database {} lacks the reference's result of some case: nothing to measure against",
         a.work.study.string(), a.work.plan.database.string()));
   make_folder_of(a.picture);
-  const std::vector<fs::path> files = studies::write_chart(study, results, points, a.picture);
+  const std::vector<fs::path> files = studies::write_cost_study(study, results, points, a.picture);
   Answer answer = study_answer(study.name, results.size(), left, files);
   answer.data["points"] = points.size();
   answer.say("\n");

@@ -1,6 +1,6 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/options/study_options.hpp"
-#include "campaign/studies/study_files.hpp"
+#include "campaign/studies/convergence_files.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;
@@ -13,7 +13,7 @@ struct ConvergeArguments {
 };
 
 Answer converge(const ConvergeArguments& a, Output& out) {
-  const studies::Study study = studies::load_study(a.work.study);
+  const studies::ConvergenceStudy study = studies::load_convergence_study(a.work.study);
   auto [left, results, jobs] = watch_study(a.work, study, studies::runs_of(study), out);
   if (results.empty())
     throw InputError(fmt::format("{}: the database {} has no result of this study{}",
@@ -21,13 +21,14 @@ Answer converge(const ConvergeArguments& a, Output& out) {
                                  a.work.plan.known.empty() ? "" : ", nor have the known tables"));
   make_folder_of(a.folder / "runs.csv");
   studies::look_up_published_time(study, results, jobs);
-  const std::vector<studies::StudyCell> cells = studies::cells_of(study, results);
-  const std::vector<fs::path> files = studies::write_study(study, results, a.folder, jobs);
+  const std::vector<studies::ConvergenceCell> cells = studies::cells_of(study, results);
+  const std::vector<fs::path> files =
+      studies::write_convergence_study(study, results, a.folder, jobs);
   Answer answer = study_answer(study.name, results.size(), left, files);
   answer.say("\n");
   answer.add(studies::table_of_cells(cells));
   answer.say("\n");
-  answer.add(studies::table_of_reaches(studies::reaches_of(study, cells)));
+  answer.add(studies::table_of_particles_needed(studies::particles_needed(study, cells)));
   answer.say("\n{} results{}{}\n", results.size(),
              left.failed > 0 ? fmt::format(", {} failed (eerie status says why)", left.failed) : "",
              left.left > 0 ? fmt::format(", {} left", left.left) : "");

@@ -4,6 +4,7 @@
 #include "campaign/cli/options/scheduler_options.hpp"
 #include "campaign/cli/output/files.hpp"
 #include "campaign/cli/running/serve_options.hpp"
+#include "campaign/job_folder/log.hpp"
 #include "campaign/job_folder/provenance.hpp"
 #include "campaign/manager/local_processes.hpp"
 #include "campaign/manager/status_file.hpp"
@@ -16,28 +17,28 @@ namespace {
 struct DaemonArguments {
   std::filesystem::path database;
   int workers = 0, threads_per_job = 1;
-  EngineArguments engine;
+  SchedulerArguments scheduler;
   bool until_idle = false, serve = false;
   serve::DashboardOptions dashboard;
 };
 
 Answer daemon(const DaemonArguments& a, Output& out) {
-  require_consistent(a.engine);
+  require_consistent(a.scheduler);
   process::catch_stop_signals();
   process::hold_signals();
   make_folder_of(a.database);
   constexpr std::uintmax_t least = 1 << 16;  // a database needs some to be opened at all
   if (!manager::wait_for_room(std::filesystem::absolute(a.database).parent_path(), least, complain))
     return {};
-  HeldDatabase held(a.database, a.engine);
-  open_manager_log(a.database, true);
+  HeldDatabase held(a.database, a.scheduler);
+  job_folder::open_campaign_log(a.database, true);
 
   const auto threads = static_cast<std::size_t>(a.threads_per_job);
   const std::size_t workers = a.workers > 0
                                   ? static_cast<std::size_t>(a.workers)
                                   : std::max<std::size_t>(1, manager::usable_cores() / threads);
-  const auto scheduler = make_scheduler(a.engine, held.connection, workers, a.threads_per_job);
-  manager::ManagerOptions options = manager_options(a.engine);
+  const auto scheduler = make_scheduler(a.scheduler, held.connection, workers, a.threads_per_job);
+  manager::ManagerOptions options = manager_options(a.scheduler);
   options.stays = !a.until_idle;
   manager::Manager manager(held.connection, *scheduler, options);
 
@@ -46,13 +47,13 @@ Answer daemon(const DaemonArguments& a, Output& out) {
     serve::DashboardOptions shown = a.dashboard;
     shown.database = a.database;
     dashboard = std::make_unique<serve::Dashboard>(shown);
-    print_address(*dashboard, shown);
+    print_address(*dashboard, shown, out);
   }
 
   const job_folder::Provenance source = job_folder::provenance();
   spdlog::info("event=daemon version={} commit={} pid={} database={} scheduler={} workers={}",
-               source.version, source.commit, ::getpid(), a.database.string(), a.engine.scheduler,
-               a.engine.is_local() ? fmt::format("{}", workers) : "-");
+               source.version, source.commit, ::getpid(), a.database.string(), a.scheduler.kind,
+               a.scheduler.is_local() ? fmt::format("{}", workers) : "-");
   out.say("working on {}; `eerie submit SWEEP --db {}` gives it work, Ctrl-C ends it\n", a.database,
           a.database);
   process::notify_service_manager("READY=1");
@@ -74,7 +75,7 @@ Action add_daemon(CLI::App& app) {
   app.add_option("--threads-per-job", a->threads_per_job, "threads of each job")
       ->check(CLI::Range(1, most_threads))
       ->capture_default_str();
-  add_engine(app, a->engine);
+  add_scheduler(app, a->scheduler);
   app.add_flag("--serve", a->serve, "show the database in the browser meanwhile (eerie serve)");
   add_dashboard(app, a->dashboard);
   app.add_flag("--until-idle", a->until_idle, "end when nothing is left to do");

@@ -31,8 +31,6 @@ void require_database(const fs::path& database) { db::Connection(database, db::A
 struct ChangeArguments {
   fs::path database;
   queries::JobChoice selection;
-  std::string value;
-  bool stale = false;
 };
 
 /// Sends a request about selected jobs and says how many it changed.
@@ -57,15 +55,11 @@ Answer change(const ChangeArguments& a, manager::Request request, const char* do
   return answer;
 }
 
-void add_change(CLI::App& app, ChangeArguments& a) {
-  add_database(app, a.database);
-  add_selection(app, a.selection);
-  add_formats(app);
-}
-
 std::shared_ptr<ChangeArguments> add_change(CLI::App& app) {
   auto a = std::make_shared<ChangeArguments>();
-  add_change(app, *a);
+  add_database(app, a->database);
+  add_selection(app, a->selection);
+  add_formats(app);
   return a;
 }
 
@@ -125,32 +119,31 @@ Action add_cancel(CLI::App& app) {
 
 Action add_retry(CLI::App& app) {
   auto a = add_change(app);
-  app.add_flag("--stale", a->stale,
+  auto stale = std::make_shared<bool>(false);
+  app.add_flag("--stale", *stale,
                "jobs whose result an other solver version made, in place of failed and cancelled");
-  return [a](Output&) {
-    return a->stale ? change(*a, {.kind = "rerun-stale"}, "will run again")
-                    : change(*a, {.kind = "retry"}, "will be tried again");
+  return [a, stale](Output&) {
+    return *stale ? change(*a, {.kind = "rerun-stale"}, "will run again")
+                  : change(*a, {.kind = "retry"}, "will be tried again");
   };
 }
 
 Action add_priority(CLI::App& app) {
-  auto a = std::make_shared<ChangeArguments>();
   auto priority = std::make_shared<int>(0);
   app.add_option("PRIORITY", *priority, "higher ones come first; 0 is usual")->required();
-  add_change(app, *a);
+  auto a = add_change(app);
   return [a, priority](Output&) {
     return change(*a, {.kind = "priority", .priority = *priority}, "changed");
   };
 }
 
 Action add_wall_limit(CLI::App& app) {
-  auto a = std::make_shared<ChangeArguments>();
-  app.add_option("LIMIT", a->value, "wall time of each job at most, such as 2h; or none")
-      ->required();
-  add_change(app, *a);
-  return [a](Output&) {
+  auto limit = std::make_shared<std::string>();
+  app.add_option("LIMIT", *limit, "wall time of each job at most, such as 2h; or none")->required();
+  auto a = add_change(app);
+  return [a, limit](Output&) {
     manager::Request request{.kind = "wall-limit"};
-    if (a->value != "none") request.wall_limit_s = queries::parse_duration(a->value, "LIMIT");
+    if (*limit != "none") request.wall_limit_s = queries::parse_duration(*limit, "LIMIT");
     return change(*a, request, "changed");
   };
 }

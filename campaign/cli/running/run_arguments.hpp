@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "campaign/auto_fidelity/auto_fidelity.hpp"
 #include "campaign/cli/options/options.hpp"
 #include "campaign/cli/options/scheduler_options.hpp"
 
@@ -12,16 +13,17 @@ struct RunArguments {
   std::filesystem::path sweep, database;
   manager::Share share;
   SceneChanges changes;
-  std::vector<std::filesystem::path> maps;  ///< besides the two beside the database
+  std::vector<std::filesystem::path> maps;  ///< in addition to the two beside the database
   bool retry_failed = false;
-  EngineArguments engine;
-  // --fidelity auto; 0 or empty: its default
-  double confidence = 0, core_hours = 0;
-  std::int64_t most_seeds = 0;
-  std::string finest;
+  SchedulerArguments scheduler;
+  // These belong to --fidelity auto alone, as its options do.
+  auto_fidelity::AutoOptions automatic;
+  std::string finest = "fine";
+  double core_hours = 0;  ///< 0: no limit
+  std::vector<const CLI::Option*> options_of_auto;
 };
 
-/// `eerie run` with --fidelity auto.
+/// Runs `eerie run` with --fidelity auto.
 Answer run_auto(const RunArguments& arguments, Output& out);
 
 }  // namespace eerie::cli

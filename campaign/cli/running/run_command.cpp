@@ -37,7 +37,7 @@ Answer report(const db::Connection& connection, const RunArguments& a, std::int6
   Answer answer;
   conclude(
       answer, t,
-      a.engine.is_local() ? " from the checkpoints" : "; what is in Slurm's queue stays there");
+      a.scheduler.is_local() ? " from the checkpoints" : "; what is in Slurm's queue stays there");
   std::vector<fs::path> pictures;
   try {
     pictures = draw(connection, a, sweep, name);
@@ -70,14 +70,11 @@ Answer report(const db::Connection& connection, const RunArguments& a, std::int6
   return answer;
 }
 
-/// Options of --fidelity auto say nothing without it.
 void require_fixed_fidelity(const RunArguments& a) {
-  for (const auto& [given, option] :
-       {std::pair(a.confidence > 0, "--confidence"), std::pair(a.core_hours > 0, "--budget"),
-        std::pair(a.most_seeds > 0, "--most-seeds"), std::pair(!a.finest.empty(), "--finest")})
-    if (given)
+  for (const CLI::Option* option : a.options_of_auto)
+    if (option->count() > 0)
       throw InputError(
-          fmt::format("{} needs --fidelity auto; add that, or leave {} out", option, option));
+          fmt::format("{0} needs --fidelity auto; add that, or leave {0} out", option->get_name()));
 }
 
 Answer run(const RunArguments& a, Output& out) {
@@ -89,15 +86,15 @@ Answer run(const RunArguments& a, Output& out) {
     maps::require_map_files(a.maps, "--map");
     maps::require_one_figure(plan.jobs, "--map " + a.maps.front().string());
   }
-  require_consistent(a.engine);
-  HeldDatabase held(a.database, a.engine);
+  require_consistent(a.scheduler);
+  HeldDatabase held(a.database, a.scheduler);
   const db::AddedSweep added = sweeps::store(held.connection, plan);
   if (a.retry_failed) db::retry_failed(held.connection, added.sweep);
   if (const std::size_t left = manager::tally(held.connection, added.sweep).left; left > 0) {
     out.say("{}: {} jobs, {} new, {} to run\n", name, added.jobs, added.added, left);
     print_warnings(sweeps::cautions(plan.scenes));
     CampaignWatch watch(name, out);
-    manager::work(held.connection, added.sweep, workplace(a.engine, a.share), watch);
+    manager::work(held.connection, added.sweep, workplace(a.scheduler, a.share), watch);
   } else {
     out.say("{}: nothing left to do\n", name);
   }
@@ -114,18 +111,20 @@ Action add_run(CLI::App& app) {
   add_changes(app, a->changes);
   app.add_option("--map", a->maps, "draw the b/a map into this file too (.png, .svg or .pdf)");
   app.add_flag("--retry-failed", a->retry_failed, "run the sweep's failed jobs again");
-  app.add_option("--confidence", a->confidence,
-                 "with --fidelity auto: how sure class and b/a < 0.3 must be (default: 0.9)")
-      ->check(CLI::Range(0.5, 0.999));
-  app.add_option("--budget", a->core_hours,
-                 "with --fidelity auto: core-hours that it may cost (default: no limit)")
-      ->check(CLI::Range(0.001, 1e7));
-  app.add_option("--most-seeds", a->most_seeds,
-                 "with --fidelity auto: runs of one impact on the last rung at most (default: 8)")
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--finest", a->finest,
-                 "with --fidelity auto: the last rung that it climbs (default: fine)");
-  add_engine(app, a->engine);
+  a->options_of_auto = {
+      app.add_option("--confidence", a->automatic.confidence,
+                     "with --fidelity auto: how sure class and b/a < 0.3 must be (default: 0.9)")
+          ->check(CLI::Range(0.5, 0.999)),
+      app.add_option("--budget", a->core_hours,
+                     "with --fidelity auto: core-hours that it may cost (default: no limit)")
+          ->check(CLI::Range(0.001, 1e7)),
+      app.add_option(
+             "--most-seeds", a->automatic.most_seeds,
+             "with --fidelity auto: runs of one impact on the last rung at most (default: 8)")
+          ->check(CLI::Range(1, 1000)),
+      app.add_option("--finest", a->finest,
+                     "with --fidelity auto: the last rung that it climbs (default: fine)")};
+  add_scheduler(app, a->scheduler);
   add_formats(app);
   return [a](Output& out) { return run(*a, out); };
 }

@@ -2,8 +2,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
-
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/running/serve_options.hpp"
 #include "campaign/process/signals.hpp"
@@ -32,11 +30,11 @@ void open_browser(const std::string& address) {
   ::waitpid(child, nullptr, 0);
 }
 
-Answer serve_database(const ServeArguments& a) {
+Answer serve_database(const ServeArguments& a, Output& out) {
   process::catch_stop_signals();
   process::hold_signals();
   const serve::Dashboard dashboard(a.dashboard);
-  print_address(dashboard, a.dashboard);
+  print_address(dashboard, a.dashboard, out);
   if (a.open) open_browser(dashboard.address());
   while (process::stop_requests() == 0) process::wait_for_signal(std::chrono::hours(1));
   return {};
@@ -55,18 +53,18 @@ void add_dashboard(CLI::App& app, serve::DashboardOptions& options) {
   app.add_flag("--read-only", options.read_only, "the dashboard shows, and changes nothing");
 }
 
-void print_address(const serve::Dashboard& dashboard, const serve::DashboardOptions& options) {
-  fmt::print("dashboard: {}\n", dashboard.address());
+void print_address(const serve::Dashboard& dashboard, const serve::DashboardOptions& options,
+                   Output& out) {
+  out.write(fmt::format("dashboard: {}\n", dashboard.address()));
   const bool beyond = !options.address.empty() && options.address != "127.0.0.1" &&
                       options.address != "::1" && options.address != "localhost";
   if (beyond)
-    fmt::print(stderr,
-               "note: whoever reaches {} port {} reads this database{}; nothing is encrypted. "
-               "`ssh -L {}:localhost:{} HOST` needs no --listen\n",
-               options.address, dashboard.port(),
-               options.read_only ? "" : ", and changes it with the token, which can be overheard",
-               dashboard.port(), dashboard.port());
-  std::fflush(stdout);
+    complain(fmt::format(
+        "note: whoever reaches {} port {} reads this database{}; nothing is encrypted. "
+        "`ssh -L {}:localhost:{} HOST` needs no --listen",
+        options.address, dashboard.port(),
+        options.read_only ? "" : ", and changes it with the token, which can be overheard",
+        dashboard.port(), dashboard.port()));
 }
 
 Action add_serve(CLI::App& app) {
@@ -74,7 +72,7 @@ Action add_serve(CLI::App& app) {
   add_database(app, a->dashboard.database);
   add_dashboard(app, a->dashboard);
   app.add_flag("--open", a->open, "show it in the browser");
-  return [a](Output&) { return serve_database(*a); };
+  return [a](Output& out) { return serve_database(*a, out); };
 }
 
 }  // namespace eerie::cli

@@ -7,19 +7,19 @@
 
 namespace eerie::manager {
 
-/// For how long the worker of an attempt has been at work. What it was halted for (SIGSTOP), and
-/// what the machine slept, does not count: the worker itself says how long it was awake, and
-/// between two heartbeats no more is assumed than lies between two of them.
+/// The time for which the worker of an attempt has been at work. Time in which it was halted
+/// (SIGSTOP) or in which the machine slept does not count. The worker itself reports how long it
+/// was awake. Since the last heartbeat at most the time between two heartbeats is assumed.
 class AwakeTime {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Reads the heartbeat; called often while the worker is there.
+  /// Reads the heartbeat. Call it often while the worker runs.
   void look(const job_folder::JobDirectory& directory, Clock::time_point now);
   double seconds() const { return told_s_ + since_told_s_; }
 
  private:
-  std::optional<Clock::time_point> looked_;  ///< empty: no heartbeat was seen yet
+  std::optional<Clock::time_point> looked_;  ///< empty before the first heartbeat
   double told_s_ = 0, since_told_s_ = 0;
 };
 

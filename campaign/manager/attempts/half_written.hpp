@@ -4,7 +4,7 @@
 
 namespace eerie::manager {
 
-/// Removes what a manager or a worker left that was killed while it wrote.
+/// Removes temporary files of a manager or worker that was killed while it wrote.
 void remove_half_written(const job_folder::JobDirectory& directory);
 
 }  // namespace eerie::manager

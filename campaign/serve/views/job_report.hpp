@@ -7,14 +7,15 @@
 
 namespace eerie::serve {
 
-/// All that is known of a job: `eerie show --json`.
+/// Everything about a job, as `eerie show --json`.
 nlohmann::json job_report(const db::Connection& connection, const db::Job& job);
 
-/// Leaves of a scene with what they would be by default, those that differ first: [{"path",
-/// "value", "default", "differs", "meaning"}]. The defaults are those of the scene's own scheme.
+/// The fields of a scene with their defaults: [{"path", "value", "default", "differs", "meaning"}].
+/// Fields that differ come first. The defaults are those of the scene's own scheme.
 nlohmann::json scene_leaves(const nlohmann::json& scene);
 
-/// history.csv as {"columns": {name: [numbers]}}; no columns where there is none yet.
+/// history.csv as {"columns": {name: [numbers]}}, without columns where the file does not exist
+/// yet.
 nlohmann::json history_json(const db::Connection& connection, const db::Job& job);
 
 }  // namespace eerie::serve

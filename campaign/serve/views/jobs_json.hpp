@@ -8,13 +8,13 @@
 
 namespace eerie::serve {
 
-/// A page of the table of all jobs. Parameters are the options of `eerie query` (q, phi_d, v,
-/// theta, class, fidelity, sweep, eer, where, sort), state, limit (1 to 1000) and offset. Gives
-/// {"total", "differing", "columns": [{"name", "unit", "meaning"}], "rows": [[...]]}; columns that
-/// all rows share are left out, and told in "shared". Throws InputError.
+/// A page of the table of all jobs. The parameters are the options of `eerie query` (q, phi_d, v,
+/// theta, class, fidelity, sweep, eer, where, sort), state, limit (1 to 1000) and offset. Returns
+/// {"total", "differing", "columns": [{"name", "unit", "meaning"}], "rows": [[...]]}. Columns with
+/// one value for all rows are in "shared" instead. Throws InputError.
 nlohmann::json jobs_json(const db::Connection& connection, const Parameters& parameters);
 
-/// All rows that the same filter finds, as CSV with the columns of the page.
+/// All rows that the filter finds, as CSV with the columns of the page.
 std::string jobs_csv(const db::Connection& connection, const Parameters& parameters);
 
 /// The jobs of one cell of a map (q, phi_d, v, theta, settings): {"jobs": [{column: value}]}.

@@ -70,7 +70,7 @@ json cell_json(const diagrams::PhaseCell& cell, const db::MapPoint& p,
                  {"period_h", to_json(p.period_h)},
                  {"m_lr_over_m_total", to_json(p.m_lr_over_m_total)},
                  {"n_eer", to_json(p.n_eer)},
-                 {"p_eer", p.p_largest_eer()}});
+                 {"p_largest_eer", p.p_largest_eer()}});
   for (const diagrams::MapScale& scale : scales) {
     const std::string token(diagrams::name_of(scale.quantity).token);
     const auto value = diagrams::value_of(scale.quantity, cell);

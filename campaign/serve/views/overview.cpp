@@ -51,8 +51,8 @@ Overview overview_of(const db::Connection& connection) {
     o.at_work = manager::read_status_file(database);
     o.silent = manager::silent_jobs(connection, o.folder);
     constexpr std::uintmax_t little = 1 << 20;
-    o.no_room = manager::DiskGuard({fs::absolute(database).parent_path(), o.folder.root}, little)
-                    .complaint(manager::DiskGuard::Clock::now());
+    o.no_room = manager::SpaceGuard({fs::absolute(database).parent_path(), o.folder.root}, little)
+                    .complaint(manager::SpaceGuard::Clock::now());
   }
   return o;
 }

@@ -168,7 +168,7 @@ json snapshots_json(const job_folder::JobDirectory& directory) {
   json list = json::array();
   const std::lock_guard lock(one_reader());
   try {
-    for (const job_folder::SnapshotFile& file : job_folder::snapshot_series(directory.path))
+    for (const job_folder::SnapshotFile& file : job_folder::snapshot_files(directory.path))
       list.push_back({{"name", file.path.filename().string()}, {"time_s", file.time}});
   } catch (const InputError&) {
     // None yet, or a worker writes the first one: the page shows what there is.
@@ -180,7 +180,7 @@ std::string particles(const job_folder::JobDirectory& directory, const std::stri
                       std::size_t most) {
   // Only names that are in the list are ever opened: none leads out of the folder.
   const std::lock_guard lock(one_reader());
-  for (const job_folder::SnapshotFile& file : job_folder::snapshot_series(directory.path)) {
+  for (const job_folder::SnapshotFile& file : job_folder::snapshot_files(directory.path)) {
     if (file.path.filename() != name) continue;
     const io::Snapshot snapshot = io::read_snapshot(file.path);
     remnants::Clump all(snapshot.state.size());

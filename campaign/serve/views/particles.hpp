@@ -7,22 +7,21 @@
 
 namespace eerie::serve {
 
-/// {"snapshots": [{"name", "time_s"}]} of a job directory in order of time; none where there are
-/// none yet.
+/// The snapshots of a job directory in order of time: {"snapshots": [{"name", "time_s"}]}.
 nlohmann::json snapshots_json(const job_folder::JobDirectory& directory);
 
-/// Particles in a picture, at most.
+/// The most particles of a picture.
 inline constexpr std::size_t most_particles = 200'000;
 
-/// One snapshot of a job directory as the page draws it, little-endian:
+/// One snapshot of a job directory in the form that the page draws, little-endian:
 ///   4 bytes "eer1", uint32 length of the head; the head as JSON, padded with spaces to a multiple
 ///   of four; float32 positions relative to the centre of mass (3 n: x y z of each particle, m);
 ///   float32 depth of origin (m), speed relative to its clump (m/s), pressure (Pa), n each; bytes
 ///   body (0 target, 1 impactor) and remnant (its rank, 0: debris, 255: a later one), n each.
-/// The head: {"n", "of" (before it was thinned), "time_s", "radius_m", "ranges": {"depth", "speed",
+/// The head is {"n", "of" (before thinning), "time_s", "radius_m", "ranges": {"depth", "speed",
 /// "pressure": [low, high]}, "remnants": [{"rank", "particles", "x", "axes", "lengths"}],
-/// "colours": {"bodies", "stops"}}. Above `most` particles every so many-th of them by id is
-/// there. `name` is one of snapshots_json(). Throws InputError for another.
+/// "colours": {"bodies", "stops"}}. More than `most` particles are thinned evenly by id. `name` is
+/// one of snapshots_json(). Throws InputError for another name.
 std::string particles(const job_folder::JobDirectory& directory, const std::string& name,
                       std::size_t most = most_particles);
 

@@ -4,7 +4,7 @@
 
 namespace eerie::sph {
 
-/// M4 cubic spline (Monaghan & Lattanzio 1985).
+/// The cubic spline M4 (Monaghan & Lattanzio 1985).
 struct CubicSpline {
   static constexpr const char* token = "cubic-spline";
   static constexpr double normalisation = 1 / pi;

@@ -7,9 +7,9 @@
 
 namespace eerie::sph {
 
-// Kernels with support 2h as functions of q = r/h: W = normalisation / h^3 * w(q), and the
-// gradient dW/dx = normalisation / h^5 * dw_over_q(q) * (x_i - x_j). Branch-free: truncated
-// polynomials, zero beyond the support. P is a number or a Pack of numbers.
+// Kernels are functions of q = r/h with support 2h: W = normalisation / h^3 * w(q), with the
+// gradient dW/dx = normalisation / h^5 * dw_over_q(q) * (x_i - x_j). They are truncated polynomials
+// without branches, zero beyond the support. P is a number or a Pack of numbers.
 
 /// A constant in the precision of P, a number or a Pack.
 template <class P>

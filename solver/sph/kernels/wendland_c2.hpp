@@ -4,7 +4,7 @@
 
 namespace eerie::sph {
 
-/// Wendland C2 (Dehnen & Aly 2012, table 1; support 2h).
+/// Wendland's C2 kernel (Dehnen & Aly 2012, table 1), with support 2h.
 struct WendlandC2 {
   static constexpr const char* token = "wendland-c2";
   static constexpr double normalisation = 21 / (16 * pi);

@@ -4,7 +4,7 @@
 
 namespace eerie::sph {
 
-/// Wendland C4 (Dehnen & Aly 2012, table 1; support 2h).
+/// Wendland's C4 kernel (Dehnen & Aly 2012, table 1), with support 2h.
 struct WendlandC4 {
   static constexpr const char* token = "wendland-c4";
   static constexpr double normalisation = 495 / (256 * pi);

@@ -2,7 +2,8 @@
 
 namespace eerie::step {
 
-/// Kick-drift-kick with predicted rates at the end of the step: second order, one evaluation.
+/// The kick-drift-kick leapfrog, with predicted rates at the end of the step. It is of second order
+/// and needs one evaluation per step.
 struct Leapfrog {
   static constexpr const char* token = "leapfrog";
   static constexpr int order = 2, evaluations = 1;

@@ -2,8 +2,9 @@
 
 namespace eerie::step {
 
-/// The leapfrog with rates predicted, evaluated, corrected and evaluated again: twice the price for
-/// rates that fit the state they act on. It damps where the leapfrog slowly amplifies.
+/// The leapfrog with a second evaluation: it predicts, evaluates, corrects and evaluates again
+/// (PECE). A step costs twice as much, and its rates belong to the corrected state. It damps waves
+/// that the leapfrog slowly amplifies.
 struct LeapfrogPece {
   static constexpr const char* token = "leapfrog-pece";
   static constexpr int order = 2, evaluations = 2;

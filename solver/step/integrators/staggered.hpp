@@ -2,10 +2,10 @@
 
 namespace eerie::step {
 
-/// Velocity Verlet with the stress staggered against the velocity: what strains is the velocity in
-/// the middle of a step, what pushes is the stress at its end. Gradient and force are visits of
-/// their own, each with the sums that it needs, so a step costs little more than one visit for all;
-/// the correction matrix of the force is of the same step, and the shortest waves do not grow.
+/// Velocity Verlet with stress staggered against velocity: the velocity in the middle of a step
+/// strains, and the stress at its end pushes. Gradient and force take separate visits of the
+/// neighbours, each with its own sums, so a step costs little more than one joint visit. The force
+/// has the correction matrix of the same step, and the shortest waves do not grow.
 struct Staggered {
   static constexpr const char* token = "staggered";
   static constexpr int order = 2, evaluations = 1;

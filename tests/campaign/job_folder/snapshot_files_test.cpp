@@ -22,7 +22,7 @@ class Series : public testing::Test {
   }
   std::vector<double> times() {
     std::vector<double> found;
-    for (const SnapshotFile& s : snapshot_series(folder.path())) found.push_back(s.time);
+    for (const SnapshotFile& s : snapshot_files(folder.path())) found.push_back(s.time);
     return found;
   }
   test::TemporaryFolder folder;
@@ -33,13 +33,13 @@ TEST_F(Series, IsInOrderOfTimeAndHasEachTimeOnce) {
   add("snapshot_0001.hdf5", 500), add("checkpoint.hdf5", 700);
   install_text(folder / "history.csv", "time_s\n");
   EXPECT_THAT(times(), ElementsAre(0, 500, 1000));
-  EXPECT_EQ(snapshot_series(folder.path()).back().path.filename(), "snapshot_0002.hdf5");
+  EXPECT_EQ(snapshot_files(folder.path()).back().path.filename(), "snapshot_0002.hdf5");
 }
 
 TEST_F(Series, FolderWithoutSnapshotsIsRefused) {
-  const auto empty = [&] { snapshot_series(folder.path()); };
+  const auto empty = [&] { snapshot_files(folder.path()); };
   EXPECT_THAT(empty, ThrowsMessage<InputError>(HasSubstr("holds no snapshots")));
-  const auto none = [&] { snapshot_series(folder / "none"); };
+  const auto none = [&] { snapshot_files(folder / "none"); };
   EXPECT_THAT(none, ThrowsMessage<InputError>(HasSubstr("none: holds no snapshots")));
   install_text(folder / "snapshot_0000.hdf5", "no snapshot");
   EXPECT_THAT(empty, ThrowsMessage<InputError>(HasSubstr("not a usable snapshot")));
@@ -47,7 +47,7 @@ TEST_F(Series, FolderWithoutSnapshotsIsRefused) {
 
 TEST_F(Series, NearestSnapshotIsTakenWithinHalfAnInterval) {
   add("snapshot_0000.hdf5", 0), add("snapshot_0001.hdf5", 503), add("final.hdf5", 1003);
-  const auto series = snapshot_series(folder.path());
+  const auto series = snapshot_files(folder.path());
   EXPECT_THAT(nearest(series, {0, 240, 260, 1003, 1253}), ElementsAre(0, 0, 1, 2, 2));
   const auto beyond = [&] { nearest(series, {0, 1254}); };
   EXPECT_THAT(beyond, ThrowsMessage<InputError>(
@@ -58,7 +58,7 @@ TEST_F(Series, NearestSnapshotIsTakenWithinHalfAnInterval) {
 
 TEST_F(Series, WithoutAnIntervalOnlyTheEndsAreThere) {
   add("snapshot_0000.hdf5", 0, 0), add("final.hdf5", 30000, 0);
-  const auto series = snapshot_series(folder.path());
+  const auto series = snapshot_files(folder.path());
   EXPECT_THAT(nearest(series, {500, 29500}), ElementsAre(0, 1));
   EXPECT_THROW(nearest(series, {15000}), InputError);
   EXPECT_THAT(telling(series), ElementsAre(0, 1));

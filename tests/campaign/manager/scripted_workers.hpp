@@ -50,7 +50,7 @@ class ScriptedWorkers : public Scheduler {
 
   std::size_t free_slots() override { return 2 - ended_.size() - waiting_.size(); }
   std::vector<std::string> start(std::span<const Task> tasks) override {
-    if (refusals > 0) --refusals, throw SchedulerUnavailable("the engine is away");
+    if (refusals > 0) --refusals, throw SchedulerUnavailable("the scheduler is away");
     std::vector<std::string> names;
     for (const Task& task : tasks) begin(task.job, task.directory), names.emplace_back("4711");
     return names;

@@ -4,32 +4,32 @@
 
 #include <limits>
 
-#include "solver/base/disk.hpp"
+#include "solver/base/free_space.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
 namespace eerie::manager {
 namespace {
-using Clock = DiskGuard::Clock;
+using Clock = SpaceGuard::Clock;
 using std::chrono::seconds;
 
-TEST(DiskGuard, IsContentWithRoom) {
+TEST(SpaceGuard, IsContentWithRoom) {
   const test::TemporaryFolder folder;
-  DiskGuard guard({folder.path()}, 0);
+  SpaceGuard guard({folder.path()}, 0);
   EXPECT_EQ(guard.complaint(Clock::now()), std::nullopt);
 }
 
-TEST(DiskGuard, NamesTheFolderAndWhatIsWanted) {
+TEST(SpaceGuard, NamesTheFolderAndWhatIsWanted) {
   const test::TemporaryFolder folder;
-  DiskGuard guard({folder.path()}, std::numeric_limits<std::uintmax_t>::max());
+  SpaceGuard guard({folder.path()}, std::numeric_limits<std::uintmax_t>::max());
   const auto complaint = guard.complaint(Clock::now());
   ASSERT_TRUE(complaint);
   EXPECT_THAT(*complaint, testing::HasSubstr(folder.path().string()));
   EXPECT_THAT(*complaint, testing::HasSubstr("MB"));
 }
 
-TEST(DiskGuard, WaitsTwiceAsLongEachTimeADiskWasFullUntilAJobGetsThrough) {
+TEST(SpaceGuard, WaitsTwiceAsLongEachTimeADiskWasFullUntilAJobGetsThrough) {
   const test::TemporaryFolder folder;
-  DiskGuard guard({folder.path()}, 0);
+  SpaceGuard guard({folder.path()}, 0);
   const Clock::time_point start = Clock::now();
   guard.was_full(start);
   EXPECT_TRUE(guard.complaint(start));

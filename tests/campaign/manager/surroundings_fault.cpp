@@ -8,7 +8,7 @@
 
 #include <fstream>
 
-#include "solver/base/disk.hpp"
+#include "solver/base/free_space.hpp"
 #include "tests/support/disturbed_campaign.hpp"
 
 namespace eerie::manager {

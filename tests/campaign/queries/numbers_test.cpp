@@ -16,6 +16,13 @@ TEST(ParseDuration, TakesTheUnitsOfPeopleAndNothingElse) {
     EXPECT_THROW(parse_duration(text, "--wall-limit"), InputError) << text;
 }
 
+TEST(ParseTimes, TakesNumbersWithCommasAndRefusesWhatIsNoTime) {
+  EXPECT_EQ(parse_times("0, 5e3,1e4", "--panels", 3), (std::vector<double>{0, 5000, 10000}));
+  EXPECT_TRUE(parse_times("", "--panels", 3).empty());
+  for (const char* text : {"soon", "-5", "0,,5", "1 2", "inf", "0,1,2,3"})
+    EXPECT_THROW(parse_times(text, "--panels", 3), InputError) << text;
+}
+
 TEST(Range, IsReadFromTwoNumbersOrOne) {
   EXPECT_EQ(parse_range("18:22.5", "--v").hi, 22.5);
   EXPECT_EQ(parse_range("20", "--v").lo, 20);

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "campaign/studies/convergence_results.hpp"
 #include "campaign/studies/cost_errors.hpp"
-#include "campaign/studies/study_results.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 #include "tests/io/snapshot_fixture.hpp"
@@ -53,13 +53,13 @@ Result pair_of_remnants(const std::string& hash) {
 }
 
 TEST_F(Records, ComeBackFromTheTableOfAConvergenceStudy) {
-  auto written = pair_of_remnants<studies::StudyResult>(hash);
+  auto written = pair_of_remnants<studies::ConvergenceResult>(hash);
   written.at_published = written.remnants;
   written.at_published[0].b_over_a = 0.375;
   written.published_at_s = 1e5;
   const RunRecords records = read(studies::runs_csv({written}));
   ASSERT_TRUE(records.contains(hash));
-  studies::StudyResult again;
+  studies::ConvergenceResult again;
   again.row.hash = hash;
   again.row.result = records.at(hash).result;
   again.remnants = records.at(hash).remnants;
@@ -73,21 +73,21 @@ TEST_F(Records, ComeBackFromTheTableOfAConvergenceStudy) {
 }
 
 TEST_F(Records, ComeBackFromTheTableOfAChart) {
-  studies::ChartStudy study;
+  studies::CostStudy study;
   study.cases = {{"A", "a, \"quoted\"", {}}};
   study.settings = {{"knob", "1,000", {}}};
-  const auto written = pair_of_remnants<studies::ChartResult>(hash);
-  const RunRecords records = read(studies::chart_runs_csv(study, {written}));
-  studies::ChartResult again;
+  const auto written = pair_of_remnants<studies::CostResult>(hash);
+  const RunRecords records = read(studies::cost_runs_csv(study, {written}));
+  studies::CostResult again;
   again.row.hash = hash;
   again.row.result = records.at(hash).result;
   again.remnants = records.at(hash).remnants;
   again.core_seconds = records.at(hash).core_seconds;
-  EXPECT_EQ(studies::chart_runs_csv(study, {again}), studies::chart_runs_csv(study, {written}));
+  EXPECT_EQ(studies::cost_runs_csv(study, {again}), studies::cost_runs_csv(study, {written}));
 }
 
 TEST_F(Records, OfARunWithoutRemnantsHaveNone) {
-  auto nothing_left = pair_of_remnants<studies::StudyResult>(hash);
+  auto nothing_left = pair_of_remnants<studies::ConvergenceResult>(hash);
   nothing_left.remnants.clear();
   EXPECT_THAT(read(studies::runs_csv({nothing_left})).at(hash).remnants, IsEmpty());
 }

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "campaign/job_folder/history.hpp"
-#include "campaign/studies/study_diagnosis.hpp"
-#include "campaign/studies/study_results.hpp"
+#include "campaign/studies/convergence_diagnosis.hpp"
+#include "campaign/studies/convergence_results.hpp"
 #include "campaign/sweeps/job.hpp"
 #include "solver/base/error.hpp"
 #include "tests/io/snapshot_fixture.hpp"
@@ -33,16 +33,16 @@ json small_study() {
 
 std::string complaint(const json& study) {
   try {
-    parse_study(study, "study.json");
+    parse_convergence_study(study, "study.json");
   } catch (const InputError& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(Study, GivesEveryCaseTheScenesFieldsAndItsOwnOnTop) {
-  const Study study = parse_study(small_study(), "study.json");
-  for (const StudyRun& run : runs_of(study)) {
+TEST(ConvergenceStudy, GivesEveryCaseTheScenesFieldsAndItsOwnOnTop) {
+  const ConvergenceStudy study = parse_convergence_study(small_study(), "study.json");
+  for (const ConvergenceRun& run : runs_of(study)) {
     EXPECT_EQ(run.scene.impact.v_imp_cm_per_s, run.case_name == "fast" ? 24 : 18);
     EXPECT_EQ(run.scene.impact.theta_imp_deg, run.case_name == "fast" ? 15 : 10);
     EXPECT_EQ(run.scene.numerics.scheme, run.scheme);
@@ -52,11 +52,11 @@ TEST(Study, GivesEveryCaseTheScenesFieldsAndItsOwnOnTop) {
   EXPECT_EQ(study.cases[0].published.b_over_a, std::nullopt);
 }
 
-TEST(Study, RunsWhatIsWorthMostForItsCostFirst) {
-  const auto runs = runs_of(parse_study(small_study(), "study.json"));
+TEST(ConvergenceStudy, RunsWhatIsWorthMostForItsCostFirst) {
+  const auto runs = runs_of(parse_convergence_study(small_study(), "study.json"));
   ASSERT_EQ(runs.size(), 4u * 2 * 2 + 2u * 1 * 2);
   std::vector<std::pair<std::int64_t, std::int64_t>> order;  // particles and seed
-  for (const StudyRun& run : runs)
+  for (const ConvergenceRun& run : runs)
     if (order.empty() || order.back() != std::pair(run.particles_per_target, run.seed))
       order.emplace_back(run.particles_per_target, run.seed);
   // 2^(4/3) = 2.5: the first seed of the dear rung comes between the second and third of the cheap.
@@ -64,7 +64,7 @@ TEST(Study, RunsWhatIsWorthMostForItsCostFirst) {
                                  std::pair(300, 3), std::pair(300, 4), std::pair(600, 2)));
 }
 
-TEST(Study, ComplaintsNameTheFieldAndTheMend) {
+TEST(ConvergenceStudy, ComplaintsNameTheFieldAndTheMend) {
   json study = small_study();
   study["ladder"][1]["cases"] = {"quick"};
   EXPECT_THAT(complaint(study), HasSubstr("\"quick\"; the cases are slow, fast"));
@@ -103,17 +103,17 @@ TEST(Ensemble, HasMeanDeviationAndExtremes) {
 }
 
 /// A result of `run` with one remnant.
-StudyResult result(const StudyRun& run, double b_over_a) {
-  StudyResult r{run, {}, {{.rank = 1, .mass_over_total = 0.9, .b_over_a = b_over_a}}, 20};
+ConvergenceResult result(const ConvergenceRun& run, double b_over_a) {
+  ConvergenceResult r{run, {}, {{.rank = 1, .mass_over_total = 0.9, .b_over_a = b_over_a}}, 20};
   r.row.result.outcome_class = b_over_a < 0.3 ? "perfect-merging" : "hit-and-run";
   r.row.result.settled = true;
   return r;
 }
 
-TEST(StudyCells, CollectSeedsOfOneSchemeCaseAndParticleNumber) {
-  const Study study = parse_study(small_study(), "study.json");
-  std::vector<StudyResult> results;
-  for (const StudyRun& run : runs_of(study))
+TEST(ConvergenceCells, CollectSeedsOfOneSchemeCaseAndParticleNumber) {
+  const ConvergenceStudy study = parse_convergence_study(small_study(), "study.json");
+  std::vector<ConvergenceResult> results;
+  for (const ConvergenceRun& run : runs_of(study))
     if (run.scheme == "dual" && run.case_name == "fast" && run.particles_per_target == 300)
       results.push_back(result(run, 0.2 + 0.05 * static_cast<double>(run.seed)));
   const auto cells = cells_of(study, results);
@@ -134,11 +134,11 @@ TEST(StudyCells, CollectSeedsOfOneSchemeCaseAndParticleNumber) {
   EXPECT_FALSE(figure_of(study, study.cases[0], cells));
 }
 
-TEST(StudyCells, CountAnElongatedRemnantThatIsNotTheLargestButNoFragment) {
-  const Study study = parse_study(small_study(), "study.json");
+TEST(ConvergenceCells, CountAnElongatedRemnantThatIsNotTheLargestButNoFragment) {
+  const ConvergenceStudy study = parse_convergence_study(small_study(), "study.json");
   const auto runs = runs_of(study);
   const auto p_eer_with = [&](double mass) {
-    StudyResult r = result(runs.front(), 0.6);
+    ConvergenceResult r = result(runs.front(), 0.6);
     r.remnants.push_back({.rank = 2, .mass_over_total = mass, .b_over_a = 0.25});
     return cells_of(study, {r}).at(0).p_top3_eer;
   };
@@ -150,8 +150,8 @@ TEST(PublishedTime, IsLookedUpInRunsThatWentOnAndIsTheEndOfOthers) {
   const test::TemporaryFolder folder;
   json document = small_study();
   document["published_at_s"] = 1000;
-  const Study study = parse_study(document, "study.json");
-  std::vector<StudyResult> results(3, result(runs_of(study).front(), 0.6));
+  const ConvergenceStudy study = parse_convergence_study(document, "study.json");
+  std::vector<ConvergenceResult> results(3, result(runs_of(study).front(), 0.6));
   for (std::size_t k = 0; k < results.size(); ++k)
     results[k].row.hash = std::string(64, static_cast<char>('a' + k));
   results[0].row.result.ended_at_s = 1000;
@@ -182,7 +182,7 @@ TEST(PublishedTime, IsLookedUpInRunsThatWentOnAndIsTheEndOfOthers) {
   EXPECT_FALSE(results[1].at_published[1].spin_period_h);
   EXPECT_TRUE(results[2].at_published.empty());
 
-  const StudyCell cell = cells_of(study, results).at(0);
+  const ConvergenceCell cell = cells_of(study, results).at(0);
   EXPECT_EQ(cell.at_published.b_over_a.runs, 2u);  // of the third it is not known
   EXPECT_NEAR(cell.at_published.b_over_a.mean, 0.5, 1e-12);
   EXPECT_NEAR(cell.at_published.m_1.mean, 0.7, 1e-12);
@@ -195,20 +195,20 @@ TEST(PublishedTime, IsLookedUpInRunsThatWentOnAndIsTheEndOfOthers) {
   EXPECT_NEAR(figure->panels[0].earlier[0][0].mean, 0.5, 1e-12);
 
   document["published_at_s"] = 600;  // what is known of another time does not count
-  look_up_published_time(parse_study(document, "study.json"), results, jobs);
+  look_up_published_time(parse_convergence_study(document, "study.json"), results, jobs);
   ASSERT_EQ(results[1].at_published.size(), 1u);
   EXPECT_EQ(results[1].at_published[0].b_over_a, 0.1);
   EXPECT_TRUE(results[0].at_published.empty());
 }
 
 TEST(PublishedTime, IsNotLookedUpWhereTheStudyHasNone) {
-  const Study study = parse_study(small_study(), "study.json");
-  std::vector<StudyResult> results = {result(runs_of(study).front(), 0.6)};
+  const ConvergenceStudy study = parse_convergence_study(small_study(), "study.json");
+  std::vector<ConvergenceResult> results = {result(runs_of(study).front(), 0.6)};
   results[0].at_published = results[0].remnants;
   results[0].published_at_s = 1000;  // from a table of a study that has one
   look_up_published_time(study, results, {});
   EXPECT_TRUE(results[0].at_published.empty());
-  const StudyCell cell = cells_of(study, results).at(0);
+  const ConvergenceCell cell = cells_of(study, results).at(0);
   EXPECT_THAT(cells_csv({cell}), testing::EndsWith(",hit-and-run 1,0,,,,,,,\n"));
 }
 
@@ -218,11 +218,11 @@ TEST(PublishedTime, MustComeAfterTheStart) {
   EXPECT_THAT(complaint(study), HasSubstr("published_at_s"));
 }
 
-TEST(StudyDiagnosis, PutsHeatsOverTheKineticEnergyAtContactAndLooksAtOneTime) {
+TEST(ConvergenceDiagnosis, PutsHeatsOverTheKineticEnergyAtContactAndLooksAtOneTime) {
   const test::TemporaryFolder folder;
-  const Study study = parse_study(small_study(), "study.json");
-  std::vector<StudyResult> results;
-  for (const StudyRun& run : runs_of(study))
+  const ConvergenceStudy study = parse_convergence_study(small_study(), "study.json");
+  std::vector<ConvergenceResult> results;
+  for (const ConvergenceRun& run : runs_of(study))
     if (run.scheme == "dual" && run.case_name == "fast" && run.seed == 1) {
       results.push_back(result(run, 0.2));
       results.back().row.hash = std::string(64, run.particles_per_target == 600 ? 'a' : 'b');

@@ -35,19 +35,19 @@ json small_study() {
 
 std::string complaint(const json& study) {
   try {
-    parse_chart_study(study, "chart.json");
+    parse_cost_study(study, "chart.json");
   } catch (const InputError& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(ChartStudy, TurnsOneKnobAtATimeFromTheFidelity) {
-  const ChartStudy study = parse_chart_study(small_study(), "chart.json");
+TEST(CostStudy, TurnsOneKnobAtATimeFromTheFidelity) {
+  const CostStudy study = parse_cost_study(small_study(), "chart.json");
   ASSERT_EQ(study.settings.size(), 5u);
-  const std::vector<ChartRun> runs = runs_of(study);
+  const std::vector<CostRun> runs = runs_of(study);
   EXPECT_EQ(runs.size(), 4u * 2 * 2 + 2 * 3);
-  for (const ChartRun& run : runs) {
+  for (const CostRun& run : runs) {
     EXPECT_EQ(run.scene.numerics.scheme, "viscosity-50000");
     EXPECT_EQ(run.scene.numerics.particles_per_target, run.setting == 4 ? 5000 : 400);
     EXPECT_EQ(run.scene.numerics.kernel, run.setting == 3 ? "wendland-c2" : "cubic-spline");
@@ -58,7 +58,7 @@ TEST(ChartStudy, TurnsOneKnobAtATimeFromTheFidelity) {
   for (std::size_t k = 1; k < runs.size(); ++k) EXPECT_LE(runs[k - 1].seed, runs[k].seed);
 }
 
-TEST(ChartStudy, SaysWhatIsWrongAndWhere) {
+TEST(CostStudy, SaysWhatIsWrongAndWhere) {
   json study = small_study();
   study["knobs"][0]["settings"][1]["set"] = {{"numerics.clf", 1.0}};
   EXPECT_THAT(complaint(study), HasSubstr("cfl 1: scene: the scene has no field \"numerics.clf\""));
@@ -76,10 +76,10 @@ TEST(ChartStudy, SaysWhatIsWrongAndWhere) {
 /// Results of all runs: b/a is `b_over_a(setting, case)` plus 0.01 for odd seeds, less 0.01 for
 /// even ones; the cost is `cost(setting)`.
 template <class BOverA, class Cost>
-std::vector<ChartResult> results(const ChartStudy& study, BOverA&& b_over_a, Cost&& cost) {
-  std::vector<ChartResult> all;
-  for (const ChartRun& run : runs_of(study)) {
-    ChartResult r{run, {}, {{.rank = 1, .mass_over_total = 0.9}}, cost(run.setting)};
+std::vector<CostResult> results(const CostStudy& study, BOverA&& b_over_a, Cost&& cost) {
+  std::vector<CostResult> all;
+  for (const CostRun& run : runs_of(study)) {
+    CostResult r{run, {}, {{.rank = 1, .mass_over_total = 0.9}}, cost(run.setting)};
     r.remnants[0].b_over_a =
         b_over_a(run.setting, run.case_index) + (run.seed % 2 == 1 ? 0.01 : -0.01);
     r.remnants[0].c_over_a = 0.2, r.remnants[0].spin_period_h = 8 + 0.8 * (run.setting == 1);
@@ -90,16 +90,16 @@ std::vector<ChartResult> results(const ChartStudy& study, BOverA&& b_over_a, Cos
   return all;
 }
 
-TEST(Chart, MeasuresErrorsOverCasesAndTheNoiseOfTheirSeeds) {
-  const ChartStudy study = parse_chart_study(small_study(), "chart.json");
+TEST(CostStudy, MeasuresErrorsOverCasesAndTheNoiseOfTheirSeeds) {
+  const CostStudy study = parse_cost_study(small_study(), "chart.json");
   // Setting 1 is off by 0.03 in one case and 0.04 in the other; reference seeds 1, 2, 3: + - +.
-  const auto points = chart_points(study, results(
-                                              study,
-                                              [](std::size_t s, std::size_t c) {
-                                                return 0.3 + (s == 1 ? (c == 0 ? 0.03 : 0.04) : 0) -
-                                                       (s == 4 ? 0.01 / 3 : 0);
-                                              },
-                                              [](std::size_t s) { return s == 4 ? 100.0 : 10.0; }));
+  const auto points = cost_points(study, results(
+                                             study,
+                                             [](std::size_t s, std::size_t c) {
+                                               return 0.3 + (s == 1 ? (c == 0 ? 0.03 : 0.04) : 0) -
+                                                      (s == 4 ? 0.01 / 3 : 0);
+                                             },
+                                             [](std::size_t s) { return s == 4 ? 100.0 : 10.0; }));
   ASSERT_EQ(points.size(), 5u);
   EXPECT_NEAR(points[1].b_over_a.error, std::sqrt((0.03 * 0.03 + 0.04 * 0.04) / 2), 1e-12);
   EXPECT_NEAR(points[0].b_over_a.error, 0, 1e-12);
@@ -111,11 +111,11 @@ TEST(Chart, MeasuresErrorsOverCasesAndTheNoiseOfTheirSeeds) {
   EXPECT_EQ(points[0].class_agreement, 1);
 }
 
-TEST(Chart, FindsTheCheapestOfWhatIsAsTrueWithinTheNoise) {
-  const ChartStudy study = parse_chart_study(small_study(), "chart.json");
+TEST(CostStudy, FindsTheCheapestOfWhatIsAsTrueWithinTheNoise) {
+  const CostStudy study = parse_cost_study(small_study(), "chart.json");
   const double cost[] = {10, 40, 5, 12, 100};
   const double off[] = {0.001, 0, 0.2, 0.002, 0};
-  const auto points = chart_points(
+  const auto points = cost_points(
       study,
       results(
           study, [&](std::size_t s, std::size_t) { return 0.3 + off[s] - (s == 4 ? 0.01 / 3 : 0); },
@@ -124,20 +124,20 @@ TEST(Chart, FindsTheCheapestOfWhatIsAsTrueWithinTheNoise) {
   EXPECT_NEAR(points[1].cost_over_frontier, 4, 1e-12);
   EXPECT_NEAR(points[3].cost_over_frontier, 1.2, 1e-12);
   EXPECT_TRUE(points[2].frontier);  // false but cheap
-  EXPECT_THAT(chart_csv(study, points), HasSubstr("\"cfl\",\"1\",\"slow, fast\",4,5,1e+06,0.2,"));
+  EXPECT_THAT(cost_csv(study, points), HasSubstr("\"cfl\",\"1\",\"slow, fast\",4,5,1e+06,0.2,"));
 }
 
-TEST(Chart, HasNoPointsWithoutTheReference) {
-  const ChartStudy study = parse_chart_study(small_study(), "chart.json");
+TEST(CostStudy, HasNoPointsWithoutTheReference) {
+  const CostStudy study = parse_cost_study(small_study(), "chart.json");
   auto some = results(
       study, [](std::size_t, std::size_t) { return 0.3; }, [](std::size_t) { return 1.0; });
   std::erase_if(some,
-                [](const ChartResult& r) { return r.run.setting == 4 && r.run.case_index == 1; });
-  EXPECT_THAT(chart_points(study, some), IsEmpty());
+                [](const CostResult& r) { return r.run.setting == 4 && r.run.case_index == 1; });
+  EXPECT_THAT(cost_points(study, some), IsEmpty());
 }
 
-TEST(Chart, ShowsSettingsThatLackACaseApartFromTheFrontier) {
-  const ChartStudy study = parse_chart_study(small_study(), "chart.json");
+TEST(CostStudy, ShowsSettingsThatLackACaseApartFromTheFrontier) {
+  const CostStudy study = parse_cost_study(small_study(), "chart.json");
   const double cost[] = {10, 40, 1, 12, 100};
   auto some = results(
       study,
@@ -146,8 +146,8 @@ TEST(Chart, ShowsSettingsThatLackACaseApartFromTheFrontier) {
       },
       [&](std::size_t s) { return cost[s]; });
   std::erase_if(some,
-                [](const ChartResult& r) { return r.run.setting == 2 && r.run.case_index == 0; });
-  const auto points = chart_points(study, some);
+                [](const CostResult& r) { return r.run.setting == 2 && r.run.case_index == 0; });
+  const auto points = cost_points(study, some);
   ASSERT_EQ(points.size(), 5u);
   EXPECT_FALSE(points[2].whole);
   EXPECT_EQ(points[2].cases, "fast");
@@ -156,17 +156,17 @@ TEST(Chart, ShowsSettingsThatLackACaseApartFromTheFrontier) {
   EXPECT_FALSE(points[2].frontier);
   EXPECT_TRUE(points[0].frontier);  // though the other would be cheaper
   EXPECT_EQ(points[0].cases, "slow, fast");
-  EXPECT_THAT(chart_csv(study, points), HasSubstr("\"cfl\",\"1\",\"fast\",2,1,"));
-  EXPECT_THAT(figures::accuracy_script(chart_figure(study, points)).text(),
+  EXPECT_THAT(cost_csv(study, points), HasSubstr("\"cfl\",\"1\",\"fast\",2,1,"));
+  EXPECT_THAT(figures::accuracy_script(cost_figure(study, points)).text(),
               HasSubstr("some impacts only"));
 }
 
-TEST(Chart, DrawsKnobsByNameAndTheDefaultAsAStar) {
-  const ChartStudy study = parse_chart_study(small_study(), "chart.json");
-  const figures::AccuracyFigure figure = chart_figure(
-      study, chart_points(study, results(
-                                     study, [](std::size_t, std::size_t) { return 0.3; },
-                                     [](std::size_t) { return 1.0; })));
+TEST(CostStudy, DrawsKnobsByNameAndTheDefaultAsAStar) {
+  const CostStudy study = parse_cost_study(small_study(), "chart.json");
+  const figures::AccuracyFigure figure =
+      cost_figure(study, cost_points(study, results(
+                                                study, [](std::size_t, std::size_t) { return 0.3; },
+                                                [](std::size_t) { return 1.0; })));
   ASSERT_EQ(figure.series.size(), 3u);
   EXPECT_TRUE(figure.series[0].is_default);
   EXPECT_EQ(figure.series[1].points.size(), 2u);
@@ -176,19 +176,19 @@ TEST(Chart, DrawsKnobsByNameAndTheDefaultAsAStar) {
   EXPECT_THAT(script, Not(HasSubstr("some impacts only")));
 }
 
-TEST(ChartCases, SayWhatEachSettingMakesOfEachImpact) {
-  const ChartStudy study = parse_chart_study(small_study(), "chart.json");
+TEST(CostCases, SayWhatEachSettingMakesOfEachImpact) {
+  const CostStudy study = parse_cost_study(small_study(), "chart.json");
   auto some = results(
       study, [](std::size_t s, std::size_t c) { return s == 1 && c == 1 ? 0.4 : 0.2; },
       [](std::size_t s) { return s == 4 ? 100.0 : 10.0; });
   std::erase_if(some,
-                [](const ChartResult& r) { return r.run.setting == 3 && r.run.case_index == 0; });
-  for (ChartResult& r : some)
+                [](const CostResult& r) { return r.run.setting == 3 && r.run.case_index == 0; });
+  for (CostResult& r : some)
     if (r.run.setting == 1 && r.run.seed == 2)  // an EER beside a rounder body
       r.remnants.push_back({.rank = 2, .mass_over_total = 0.1, .b_over_a = 0.25});
-  const std::vector<ChartCell> cells = chart_cells(study, some);
+  const std::vector<CostCell> cells = cost_cells(study, some);
   ASSERT_EQ(cells.size(), 5u * 2 - 1);
-  const ChartCell& rounder = cells[3];
+  const CostCell& rounder = cells[3];
   EXPECT_EQ(rounder.setting, 1u);
   EXPECT_EQ(rounder.case_index, 1u);
   EXPECT_EQ(rounder.m_1.runs, 2u);
@@ -197,10 +197,10 @@ TEST(ChartCases, SayWhatEachSettingMakesOfEachImpact) {
   EXPECT_NEAR(rounder.m_1.mean, 0.9, 1e-12);
   EXPECT_EQ(rounder.p_top3_eer, 0.5);
   EXPECT_EQ(cells[2].p_top3_eer, 1);
-  const std::string csv = chart_cells_csv(study, cells);
+  const std::string csv = cost_cells_csv(study, cells);
   EXPECT_THAT(csv, HasSubstr("\"cfl\",\"0.4\",fast,2,0.4,0.0141,0.2,0,0.9,0,8.8,0,10,0,0.5,"
                              "perfect-merging 2\n"));
-  const figures::MatrixFigure figure = chart_matrix(study, cells);
+  const figures::MatrixFigure figure = cost_matrix(study, cells);
   EXPECT_THAT(figure.columns, testing::ElementsAre("slow", "fast"));
   ASSERT_EQ(figure.groups.size(), 4u);
   EXPECT_EQ(figure.groups[0].rows.at(0).label, "default");
@@ -209,15 +209,15 @@ TEST(ChartCases, SayWhatEachSettingMakesOfEachImpact) {
   EXPECT_FALSE(figure.groups[2].rows.at(0).cells.at(0)) << "not run";
 }
 
-TEST(Chart, WritesTheNamesOfFidelitiesBesideTheirPoints) {
+TEST(CostStudy, WritesTheNamesOfFidelitiesBesideTheirPoints) {
   json document = small_study();
   document.erase("scene");  // the default is the whole sketch
   document["knobs"][0]["settings"][0]["set"] = {{"numerics.particles_per_target", 1000}};
-  const ChartStudy study = parse_chart_study(document, "chart.json");
-  const figures::AccuracyFigure figure = chart_figure(
-      study, chart_points(study, results(
-                                     study, [](std::size_t, std::size_t) { return 0.3; },
-                                     [](std::size_t s) { return s == 0 ? 1.0 : 10.0; })));
+  const CostStudy study = parse_cost_study(document, "chart.json");
+  const figures::AccuracyFigure figure = cost_figure(
+      study, cost_points(study, results(
+                                    study, [](std::size_t, std::size_t) { return 0.3; },
+                                    [](std::size_t s) { return s == 0 ? 1.0 : 10.0; })));
   EXPECT_EQ(figure.series[0].points[0].name, "sketch");
   EXPECT_EQ(figure.series[1].points[0].name, "survey");
   EXPECT_EQ(figure.series[1].points[1].name, "");

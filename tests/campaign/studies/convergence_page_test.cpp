@@ -1,4 +1,4 @@
-#include "campaign/studies/study_page.hpp"
+#include "campaign/studies/convergence_page.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,26 +9,27 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-Study two_cases() {
+ConvergenceStudy two_cases() {
   const auto impact = [](double v) {
     return json{{"impact", {{"v_imp_cm_per_s", v}, {"theta_imp_deg", 15}}}};
   };
-  return parse_study({{"name", "small"},
-                      {"schemes", {"dual", "closing-voids"}},
-                      {"cases",
-                       {{{"name", "A"},
-                         {"title", "A: v_imp = 20 cm/s,\n# <b>{x}"},
-                         {"scene", impact(20)},
-                         {"published", {{"b_over_a", 0.24}, {"period_h", 9.36}}}},
-                        {{"name", "B"}, {"scene", impact(22)}}}},
-                      {"ladder",
-                       {{{"particles_per_target", 1000}, {"seeds", 2}},
-                        {{"particles_per_target", 20000}, {"seeds", 1}}}}},
-                     "study.json");
+  return parse_convergence_study({{"name", "small"},
+                                  {"schemes", {"dual", "closing-voids"}},
+                                  {"cases",
+                                   {{{"name", "A"},
+                                     {"title", "A: v_imp = 20 cm/s,\n# <b>{x}"},
+                                     {"scene", impact(20)},
+                                     {"published", {{"b_over_a", 0.24}, {"period_h", 9.36}}}},
+                                    {{"name", "B"}, {"scene", impact(22)}}}},
+                                  {"ladder",
+                                   {{{"particles_per_target", 1000}, {"seeds", 2}},
+                                    {{"particles_per_target", 20000}, {"seeds", 1}}}}},
+                                 "study.json");
 }
 
-StudyCell cell(const std::string& scheme, std::int64_t particles, std::vector<double> b_over_a) {
-  StudyCell c;
+ConvergenceCell cell(const std::string& scheme, std::int64_t particles,
+                     std::vector<double> b_over_a) {
+  ConvergenceCell c;
   c.scheme = scheme, c.case_name = "A", c.particles_per_target = particles;
   c.b_over_a = statistics::ensemble(b_over_a),
   c.m_1 = statistics::ensemble(std::vector<double>(b_over_a.size(), 0.95));
@@ -37,11 +38,11 @@ StudyCell cell(const std::string& scheme, std::int64_t particles, std::vector<do
   return c;
 }
 
-std::string page_of(const std::vector<StudyCell>& cells) {
-  return study_page(two_cases(), cells, reaches_of(two_cases(), cells));
+std::string page_of(const std::vector<ConvergenceCell>& cells) {
+  return convergence_page(two_cases(), cells, particles_needed(two_cases(), cells));
 }
 
-TEST(StudyPage, ShowsCasesThatHaveResultsWithFigureEnsemblesAndPublishedNumbers) {
+TEST(ConvergencePage, ShowsCasesThatHaveResultsWithFigureEnsemblesAndPublishedNumbers) {
   const std::string page =
       page_of({cell("dual", 1000, {0.30, 0.34}), cell("closing-voids", 1000, {0.22})});
   EXPECT_THAT(
@@ -54,12 +55,12 @@ TEST(StudyPage, ShowsCasesThatHaveResultsWithFigureEnsemblesAndPublishedNumbers)
   EXPECT_THAT(page, Not(HasSubstr("![B]")));
 }
 
-TEST(StudyPage, HasColumnsForTheTimeOfWhatWasPublished) {
-  Study study = two_cases();
+TEST(ConvergencePage, HasColumnsForTheTimeOfWhatWasPublished) {
+  ConvergenceStudy study = two_cases();
   study.published_at_s = 1e5;
-  StudyCell c = cell("dual", 1000, {0.6, 0.6});
+  ConvergenceCell c = cell("dual", 1000, {0.6, 0.6});
   c.at_published = {statistics::ensemble({0.30, 0.34}), statistics::ensemble({0.5, 0.5}), {}, 0.5};
-  const std::string page = study_page(study, {c, cell("dual", 20000, {0.6})}, {});
+  const std::string page = convergence_page(study, {c, cell("dual", 20000, {0.6})}, {});
   EXPECT_THAT(
       page,
       HasSubstr("| core-s | b/a at 100000 s | M_1/M at 100000 s | P(EER of 3) at 100000 s |\n"));
@@ -67,7 +68,7 @@ TEST(StudyPage, HasColumnsForTheTimeOfWhatWasPublished) {
   EXPECT_THAT(page, HasSubstr("| 7 | - | - | - |\n"));
 }
 
-TEST(StudyPage, SaysFromWhichParticleNumberOnASchemeIsRight) {
+TEST(ConvergencePage, SaysFromWhichParticleNumberOnASchemeIsRight) {
   const std::string page =
       page_of({cell("dual", 1000, {0.30}), cell("dual", 20000, {0.25}),
                cell("closing-voids", 1000, {0.25}), cell("closing-voids", 20000, {0.23})});
@@ -79,7 +80,7 @@ TEST(StudyPage, SaysFromWhichParticleNumberOnASchemeIsRight) {
   EXPECT_LT(page.find("| 1,000 | `closing-voids`"), page.find("| 20,000 | `dual`"));
 }
 
-TEST(StudyPage, SaysWhereSeedsScatterMoreThanWhatIsAskedFor) {
+TEST(ConvergencePage, SaysWhereSeedsScatterMoreThanWhatIsAskedFor) {
   const char* chance = "by chance, perhaps: the means of b/a are known to 0.08";
   EXPECT_THAT(page_of({cell("dual", 1000, {0.4, 0.6}), cell("dual", 20000, {0.45, 0.55})}),
               HasSubstr(chance));

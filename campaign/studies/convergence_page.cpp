@@ -1,4 +1,4 @@
-#include "campaign/studies/study_page.hpp"
+#include "campaign/studies/convergence_page.hpp"
 
 #include <fmt/format.h>
 
@@ -43,19 +43,19 @@ std::string header_at(std::optional<double> time_s) {
   if (!time_s) return "";
   return fmt::format(" b/a at {0:g} s | M_1/M at {0:g} s | P(EER of 3) at {0:g} s |", *time_s);
 }
-std::string row_at_published(const StudyCell::AtPublished& then) {
+std::string row_at_published(const ConvergenceCell::AtPublished& then) {
   return fmt::format(" {} | {} | {} |", range(then.b_over_a, 2), range(then.m_1, 2),
                      then.m_1.runs > 0 ? fmt::format("{:.2f}", then.p_top3_eer) : "-");
 }
 
-std::string row(const StudyCell& c) {
+std::string row(const ConvergenceCell& c) {
   return fmt::format("| {} | `{}` | {} | {} | {} | {} | {:.2f} | {:.2f} | {} | {:.0f} |",
                      thousands(c.particles_per_target), c.scheme, c.m_1.runs, range(c.b_over_a, 2),
                      range(c.m_1, 2), range(c.period_h, 1), c.p_top3_eer, c.unsettled, c.classes,
                      c.core_seconds.mean);
 }
 
-std::string published_text(const Study::Published& published) {
+std::string published_text(const ConvergenceStudy::Published& published) {
   std::string text;
   const auto add = [&](const char* name, std::optional<double> value, const char* unit) {
     if (value) text += fmt::format("{}{} {:.3g}{}", text.empty() ? "" : ", ", name, *value, unit);
@@ -73,7 +73,7 @@ std::string from_on(std::optional<std::int64_t> n) {
   return n ? fmt::format("from {} on", thousands(*n)) : "not yet";
 }
 
-std::string sentence(const Reach& r) {
+std::string sentence(const ParticlesNeeded& r) {
   std::string text = fmt::format("- `{}`: ", r.scheme);
   if (r.own)
     text += fmt::format("near its own {} {}", thousands(r.finest),
@@ -90,18 +90,20 @@ std::string sentence(const Reach& r) {
 }
 
 /// Rows of one particle number stand together, in the order of the schemes.
-std::vector<StudyCell> by_particles(const Study::Case& one, const std::vector<StudyCell>& cells) {
-  std::vector<StudyCell> of_case;
+std::vector<ConvergenceCell> by_particles(const ConvergenceStudy::Case& one,
+                                          const std::vector<ConvergenceCell>& cells) {
+  std::vector<ConvergenceCell> of_case;
   std::ranges::copy_if(cells, std::back_inserter(of_case),
-                       [&](const StudyCell& c) { return c.case_name == one.name; });
-  std::ranges::stable_sort(of_case, {}, &StudyCell::particles_per_target);
+                       [&](const ConvergenceCell& c) { return c.case_name == one.name; });
+  std::ranges::stable_sort(of_case, {}, &ConvergenceCell::particles_per_target);
   return of_case;
 }
 
 }  // namespace
 
-std::string study_page(const Study& study, const std::vector<StudyCell>& cells,
-                       const std::vector<Reach>& reaches) {
+std::string convergence_page(const ConvergenceStudy& study,
+                             const std::vector<ConvergenceCell>& cells,
+                             const std::vector<ParticlesNeeded>& needed) {
   std::string page = fmt::format(
       "# {}\n\nMade by `eerie converge`; do not edit. Of the largest remnant: mean and standard "
       "deviation of single runs over seeds. P(EER of 3): part of the runs with a remnant of b/a < "
@@ -111,8 +113,8 @@ std::string study_page(const Study& study, const std::vector<StudyCell>& cells,
       "of the runs, or less, where one was published or not; each for that particle number and "
       "all larger ones.\n",
       study.name, remnants::eer_max_b_over_a, results::eer_least_mass, b_over_a_within, m_1_within);
-  for (const Study::Case& one : study.cases) {
-    const std::vector<StudyCell> rows = by_particles(one, cells);
+  for (const ConvergenceStudy::Case& one : study.cases) {
+    const std::vector<ConvergenceCell> rows = by_particles(one, cells);
     if (rows.empty()) continue;
     page += fmt::format("\n## {}\n\n![{}]({}.svg)\n\n", plain(one.title), one.name, one.name);
     if (const std::string text = published_text(one.published); !text.empty())
@@ -123,11 +125,11 @@ std::string study_page(const Study& study, const std::vector<StudyCell>& cells,
         "classes | core-s |" +
         header_at(study.published_at_s) + "\n|---|---|---|---|---|---|---|---|---|---|" +
         (study.published_at_s ? "---|---|---|\n" : "\n");
-    for (const StudyCell& cell : rows)
+    for (const ConvergenceCell& cell : rows)
       page += row(cell) + (study.published_at_s ? row_at_published(cell.at_published) : "") + "\n";
     page += "\n";
-    for (const Reach& reach : reaches)
-      if (reach.case_name == one.name) page += sentence(reach);
+    for (const ParticlesNeeded& one_scheme : needed)
+      if (one_scheme.case_name == one.name) page += sentence(one_scheme);
   }
   return page;
 }

@@ -1,4 +1,4 @@
-#include "campaign/studies/study_results.hpp"
+#include "campaign/studies/convergence_results.hpp"
 
 #include <fmt/format.h>
 
@@ -14,41 +14,43 @@ namespace eerie::studies {
 
 namespace {
 
-using Runs = results::RunGroup<StudyRun>;
+using Runs = results::RunGroup<ConvergenceRun>;
 
-StudyCell::AtPublished at_published(Runs runs) {
-  std::erase_if(runs, [](const StudyResult* r) { return r->at_published.empty(); });
+ConvergenceCell::AtPublished at_published(Runs runs) {
+  std::erase_if(runs, [](const ConvergenceResult* r) { return r->at_published.empty(); });
   if (runs.empty()) return {};
-  return {results::ensemble_of(
-              runs, [](const StudyResult& r) { return r.at_published.front().b_over_a; }),
-          results::ensemble_of(runs,
-                               [](const StudyResult& r) -> std::optional<double> {
-                                 return r.at_published.front().mass_over_total;
-                               }),
-          results::ensemble_of(
-              runs, [](const StudyResult& r) { return r.at_published.front().spin_period_h; }),
-          results::fraction_of(runs, [](const StudyResult& r) {
-            return results::has_eer(r.row.result, r.at_published, results::EerAmong::three_largest);
-          })};
+  return {
+      results::ensemble_of(
+          runs, [](const ConvergenceResult& r) { return r.at_published.front().b_over_a; }),
+      results::ensemble_of(runs,
+                           [](const ConvergenceResult& r) -> std::optional<double> {
+                             return r.at_published.front().mass_over_total;
+                           }),
+      results::ensemble_of(
+          runs, [](const ConvergenceResult& r) { return r.at_published.front().spin_period_h; }),
+      results::fraction_of(runs, [](const ConvergenceResult& r) {
+        return results::has_eer(r.row.result, r.at_published, results::EerAmong::three_largest);
+      })};
 }
 
-StudyCell cell_of(const Runs& runs) {
-  const StudyRun& first = runs.front()->run;
-  return {first.scheme,
-          first.case_name,
-          first.particles_per_target,
-          results::ensemble_of(runs, results::of_largest(&db::Remnant::b_over_a)),
-          results::ensemble_of(runs, results::of_largest(&db::Remnant::c_over_a)),
-          results::ensemble_of(runs, results::largest_mass),
-          results::ensemble_of(runs, results::of_largest(&db::Remnant::spin_period_h)),
-          results::ensemble_of(runs, results::core_seconds_of),
-          results::fraction_of(runs, [](const StudyResult& r) { return !r.row.result.settled; }),
-          results::p_eer(runs, results::EerAmong::three_largest),
-          results::classes_of(runs),
-          at_published(runs)};
+ConvergenceCell cell_of(const Runs& runs) {
+  const ConvergenceRun& first = runs.front()->run;
+  return {
+      first.scheme,
+      first.case_name,
+      first.particles_per_target,
+      results::ensemble_of(runs, results::of_largest(&db::Remnant::b_over_a)),
+      results::ensemble_of(runs, results::of_largest(&db::Remnant::c_over_a)),
+      results::ensemble_of(runs, results::largest_mass),
+      results::ensemble_of(runs, results::of_largest(&db::Remnant::spin_period_h)),
+      results::ensemble_of(runs, results::core_seconds_of),
+      results::fraction_of(runs, [](const ConvergenceResult& r) { return !r.row.result.settled; }),
+      results::p_eer(runs, results::EerAmong::three_largest),
+      results::classes_of(runs),
+      at_published(runs)};
 }
 
-figures::ConvergencePoint point(const StudyCell& cell, const statistics::Ensemble& e) {
+figures::ConvergencePoint point(const ConvergenceCell& cell, const statistics::Ensemble& e) {
   return {static_cast<double>(cell.particles_per_target), e.mean, e.deviation, e.low, e.high};
 }
 
@@ -72,9 +74,9 @@ std::vector<db::Remnant> remnants_at(const job_folder::JobDirectory& job, double
 
 }  // namespace
 
-void look_up_published_time(const Study& study, std::vector<StudyResult>& results,
+void look_up_published_time(const ConvergenceStudy& study, std::vector<ConvergenceResult>& results,
                             const std::optional<job_folder::JobFolder>& jobs) {
-  for (StudyResult& r : results) {
+  for (ConvergenceResult& r : results) {
     if (r.published_at_s != study.published_at_s) r.at_published.clear();  // another study's
     r.published_at_s = study.published_at_s;
     if (!study.published_at_s || !r.at_published.empty()) continue;
@@ -85,13 +87,13 @@ void look_up_published_time(const Study& study, std::vector<StudyResult>& result
   }
 }
 
-std::string runs_csv(const std::vector<StudyResult>& results) {
+std::string runs_csv(const std::vector<ConvergenceResult>& results) {
   std::string csv =
       "scheme,case,particles_per_target,seed,class,settled,ended_at_s,end_reason,"
       "m_lr_over_m_total,m_slr_over_m_total";
   csv += results::remnant_header("") + ",published_at_s" + results::remnant_header("_at_published");
   csv += results::run_end_header;
-  for (const StudyResult& r : results) {
+  for (const ConvergenceResult& r : results) {
     const db::Result& x = r.row.result;
     csv += fmt::format("{},{},{},{},{},{},{},{},{:.6g},{:.6g}", r.run.scheme, r.run.case_name,
                        r.run.particles_per_target, r.run.seed, x.outcome_class, x.settled ? 1 : 0,
@@ -104,13 +106,14 @@ std::string runs_csv(const std::vector<StudyResult>& results) {
   return csv;
 }
 
-std::vector<StudyCell> cells_of(const Study& study, const std::vector<StudyResult>& results) {
-  std::vector<StudyCell> cells;
-  for (const Study::Case& one : study.cases)
+std::vector<ConvergenceCell> cells_of(const ConvergenceStudy& study,
+                                      const std::vector<ConvergenceResult>& results) {
+  std::vector<ConvergenceCell> cells;
+  for (const ConvergenceStudy::Case& one : study.cases)
     for (const std::string& scheme : study.schemes)
-      for (const Study::Rung& rung : study.ladder) {
+      for (const ConvergenceStudy::Rung& rung : study.ladder) {
         Runs runs;
-        for (const StudyResult& r : results)
+        for (const ConvergenceResult& r : results)
           if (r.run.case_name == one.name && r.run.scheme == scheme &&
               r.run.particles_per_target == rung.particles_per_target)
             runs.push_back(&r);
@@ -119,7 +122,7 @@ std::vector<StudyCell> cells_of(const Study& study, const std::vector<StudyResul
   return cells;
 }
 
-std::string cells_csv(const std::vector<StudyCell>& cells) {
+std::string cells_csv(const std::vector<ConvergenceCell>& cells) {
   std::string csv = "scheme,case,particles_per_target,runs";
   for (const char* name : {"b_over_a", "c_over_a", "m_1_over_m_total", "period_h", "core_s"})
     csv += fmt::format(",{0}_mean,{0}_deviation,{0}_min,{0}_max", name);
@@ -127,7 +130,7 @@ std::string cells_csv(const std::vector<StudyCell>& cells) {
   for (const char* name : {"b_over_a", "m_1_over_m_total", "period_h"})
     csv += fmt::format(",{0}_at_published_mean,{0}_at_published_deviation", name);
   csv += ",p_top3_eer_at_published\n";
-  for (const StudyCell& c : cells) {
+  for (const ConvergenceCell& c : cells) {
     csv += fmt::format("{},{},{},{}", c.scheme, c.case_name, c.particles_per_target, c.m_1.runs);
     for (const statistics::Ensemble* e :
          {&c.b_over_a, &c.c_over_a, &c.m_1, &c.period_h, &c.core_seconds})
@@ -135,7 +138,7 @@ std::string cells_csv(const std::vector<StudyCell>& cells) {
                           : fmt::format(",{:.4g},{:.3g},{:.4g},{:.4g}", e->mean, e->deviation,
                                         e->low, e->high);
     csv += fmt::format(",{:.3g},{:.3g},{}", c.unsettled, c.p_top3_eer, c.classes);
-    const StudyCell::AtPublished& then = c.at_published;
+    const ConvergenceCell::AtPublished& then = c.at_published;
     csv += fmt::format(",{}", then.m_1.runs);
     for (const statistics::Ensemble* e : {&then.b_over_a, &then.m_1, &then.period_h})
       csv += e->runs == 0 ? ",," : fmt::format(",{:.4g},{:.3g}", e->mean, e->deviation);
@@ -144,8 +147,9 @@ std::string cells_csv(const std::vector<StudyCell>& cells) {
   return csv;
 }
 
-std::optional<figures::ConvergenceFigure> figure_of(const Study& study, const Study::Case& one,
-                                                    const std::vector<StudyCell>& cells) {
+std::optional<figures::ConvergenceFigure> figure_of(const ConvergenceStudy& study,
+                                                    const ConvergenceStudy::Case& one,
+                                                    const std::vector<ConvergenceCell>& cells) {
   figures::ConvergenceFigure figure{one.title,
                                     study.schemes,
                                     {{"b/a", one.published.b_over_a, {}},
@@ -157,10 +161,10 @@ std::optional<figures::ConvergenceFigure> figure_of(const Study& study, const St
   }
   bool any = false;
   for (std::size_t s = 0; s < study.schemes.size(); ++s)
-    for (const StudyCell& cell : cells) {
+    for (const ConvergenceCell& cell : cells) {
       if (cell.case_name != one.name || cell.scheme != study.schemes[s]) continue;
       any = true;
-      const StudyCell::AtPublished& then = cell.at_published;
+      const ConvergenceCell::AtPublished& then = cell.at_published;
       const statistics::Ensemble* quantities[] = {&cell.b_over_a, &cell.m_1, &cell.period_h};
       const statistics::Ensemble* earlier[] = {&then.b_over_a, &then.m_1, &then.period_h};
       for (std::size_t p = 0; p < figure.panels.size(); ++p) {

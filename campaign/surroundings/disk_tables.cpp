@@ -1,9 +1,11 @@
-#include "campaign/cli/output/disk_report.hpp"
+#include "campaign/surroundings/disk_tables.hpp"
 
-namespace eerie::cli {
-using eerie::disk::Nebula;
-using eerie::disk::Place;
-using eerie::disk::PublishedNumber;
+#include <fmt/format.h>
+
+namespace eerie::surroundings {
+using disk::Nebula, disk::Place, disk::PublishedNumber;
+using text::both, text::data, text::or_null, text::shown;
+using text::Table, text::table_of;
 
 Table table_of_places(const std::vector<Place>& places) {
   return table_of<Place>(
@@ -22,18 +24,6 @@ Table table_of_places(const std::vector<Place>& places) {
       places);
 }
 
-Value to_json(const Nebula& n) {
-  return {{"r_au", n.r / disk::astronomical_unit},
-          {"gas_kg_per_m2", n.gas_surface_density},
-          {"solids_kg_per_m2", n.solid_surface_density},
-          {"gas_density_kg_per_m3", n.gas_density},
-          {"temperature_K", n.temperature},
-          {"sound_speed_m_per_s", n.sound_speed},
-          {"head_wind_m_per_s", n.head_wind},
-          {"mean_free_path_m", n.mean_free_path},
-          {"omega_k_per_s", n.omega_k}};
-}
-
 std::string nebula_line(const Nebula& n) {
   return fmt::format(
       "Hayashi's nebula at {:g} AU: gas {:.4g} kg/m^2, solids {:.3g} kg/m^2, {:.3g} K, sound "
@@ -42,14 +32,13 @@ std::string nebula_line(const Nebula& n) {
       n.sound_speed, n.head_wind, n.mean_free_path);
 }
 
-Table turned_table_of_places(double r_au, const disk::PlaceQuestion& q,
-                             const std::vector<Place>& places) {
+Table turned_table_of_places(const DiskQuestion& q, const std::vector<Place>& places) {
   std::vector<std::vector<std::string>> rows = {
-      {fmt::format("bodies of {:g} m at {:g} AU", q.body.radius, r_au)},
+      {fmt::format("bodies of {:g} m at {:g} AU", q.body.radius, q.r_au)},
       {"law of drag"},
       {"Omega t_s"},
       {fmt::format("speed in turbulence, alpha = {:g}", q.alpha)},
-      {fmt::format("speed among bodies of {:g} km", q.stirrer_radius / 1000)},
+      {fmt::format("speed among bodies of {:g} km", q.stirrer_radius_km)},
       {"alpha for 15 and 40 cm/s"},
       {"R for 15 and 40 cm/s"}};
   for (const Place& p : places) {
@@ -87,4 +76,4 @@ Table table_of_published(const std::vector<PublishedNumber>& numbers) {
       numbers);
 }
 
-}  // namespace eerie::cli
+}  // namespace eerie::surroundings

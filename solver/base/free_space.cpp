@@ -1,4 +1,4 @@
-#include "solver/base/disk.hpp"
+#include "solver/base/free_space.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

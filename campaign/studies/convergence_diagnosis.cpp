@@ -1,4 +1,4 @@
-#include "campaign/studies/study_diagnosis.hpp"
+#include "campaign/studies/convergence_diagnosis.hpp"
 
 #include <fmt/format.h>
 
@@ -38,10 +38,10 @@ constexpr Column diagnosis_columns[] = {
     {"|ΔL| / L", true, [](const job_folder::HistoryRow& r) { return std::optional(r.dL_over_L); }},
 };
 
-const StudyResult* finest(const std::vector<StudyResult>& results, const std::string& case_name,
-                          const std::string& scheme) {
-  const StudyResult* best = nullptr;
-  for (const StudyResult& r : results)
+const ConvergenceResult* finest(const std::vector<ConvergenceResult>& results,
+                                const std::string& case_name, const std::string& scheme) {
+  const ConvergenceResult* best = nullptr;
+  for (const ConvergenceResult& r : results)
     if (r.run.case_name == case_name && r.run.scheme == scheme && r.run.seed == 1 &&
         (best == nullptr || r.run.particles_per_target > best->run.particles_per_target))
       best = &r;
@@ -66,10 +66,9 @@ std::string energies_of(const std::vector<job_folder::HistoryRow>& rows, double 
 
 }  // namespace
 
-std::optional<figures::ConvergenceFigure> diagnosis_figure(const Study& study,
-                                                           const Study::Case& one,
-                                                           const std::vector<StudyResult>& results,
-                                                           const job_folder::JobFolder& jobs) {
+std::optional<figures::ConvergenceFigure> diagnosis_figure(
+    const ConvergenceStudy& study, const ConvergenceStudy::Case& one,
+    const std::vector<ConvergenceResult>& results, const job_folder::JobFolder& jobs) {
   figures::ConvergenceFigure figure{one.title, {}, {}, true};
   for (const Column& column : diagnosis_columns)
     figure.panels.push_back({column.label, {}, {}, column.logarithmic});
@@ -77,7 +76,7 @@ std::optional<figures::ConvergenceFigure> diagnosis_figure(const Study& study,
   for (const std::string& scheme : study.schemes) {
     figure.series.push_back(scheme);
     for (figures::ConvergencePanel& panel : figure.panels) panel.series.emplace_back();
-    const StudyResult* run = finest(results, one.name, scheme);
+    const ConvergenceResult* run = finest(results, one.name, scheme);
     if (run == nullptr) continue;
     figure.series.back() += fmt::format(", {}", run->run.particles_per_target);
     for (const job_folder::HistoryRow& row :
@@ -95,15 +94,16 @@ std::optional<figures::ConvergenceFigure> diagnosis_figure(const Study& study,
   return figure;
 }
 
-std::string diagnosis_csv(const Study& study, const std::vector<StudyResult>& results,
+std::string diagnosis_csv(const ConvergenceStudy& study,
+                          const std::vector<ConvergenceResult>& results,
                           const job_folder::JobFolder& jobs) {
   std::string csv =
       "scheme,case,particles_per_target,viscous_heat_over_kinetic,friction_heat_over_kinetic,"
       "shear_energy_max_over_kinetic,time_s,eos_pressure_Pa,viscous_pressure_Pa,pressureless,"
       "density_kg_per_m3,summed_density_kg_per_m3,density_error,dL_over_L_at_end\n";
-  for (const Study::Case& one : study.cases)
+  for (const ConvergenceStudy::Case& one : study.cases)
     for (const std::string& scheme : study.schemes) {
-      const StudyResult* run = finest(results, one.name, scheme);
+      const ConvergenceResult* run = finest(results, one.name, scheme);
       if (run == nullptr) continue;
       const std::vector<job_folder::HistoryRow> rows =
           job_folder::read_history(jobs.of(run->row.hash).history());

@@ -6,10 +6,12 @@
 
 namespace eerie {
 
-/// Free bytes for us on the disk of a folder; nothing where nobody can tell.
+/// The bytes that this user may still write on the disk of a folder; nothing where the system does
+/// not say it.
 std::optional<std::uintmax_t> free_bytes(const std::filesystem::path& folder);
 
-/// Whether so many bytes can be written in a folder now: tried, since quotas are in no table.
+/// Whether so many bytes can be written in a folder now. The function tries it, since no table
+/// lists quotas.
 bool has_room(const std::filesystem::path& folder, std::uintmax_t bytes);
 
 }  // namespace eerie

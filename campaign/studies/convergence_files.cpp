@@ -1,9 +1,9 @@
-#include "campaign/studies/study_files.hpp"
+#include "campaign/studies/convergence_files.hpp"
 
 #include <fmt/format.h>
 
-#include "campaign/studies/study_diagnosis.hpp"
-#include "campaign/studies/study_page.hpp"
+#include "campaign/studies/convergence_diagnosis.hpp"
+#include "campaign/studies/convergence_page.hpp"
 #include "solver/base/file.hpp"
 
 namespace eerie::studies {
@@ -22,8 +22,8 @@ Value range(const statistics::Ensemble& e, int digits) {
 
 }  // namespace
 
-text::Table table_of_cells(const std::vector<StudyCell>& cells) {
-  using Cell = StudyCell;
+text::Table table_of_cells(const std::vector<ConvergenceCell>& cells) {
+  using Cell = ConvergenceCell;
   return table_of<Cell>(
       {{shown("case"), [](const Cell& c) { return c.case_name; }},
        {shown("scheme"), [](const Cell& c) { return c.scheme; }},
@@ -39,37 +39,39 @@ text::Table table_of_cells(const std::vector<StudyCell>& cells) {
       cells);
 }
 
-text::Table table_of_reaches(const std::vector<Reach>& reaches) {
-  return table_of<Reach>(
-      {{shown("case"), [](const Reach& r) { return r.case_name; }},
-       {shown("scheme"), [](const Reach& r) { return r.scheme; }},
-       {shown("finest"), [](const Reach& r) { return r.finest; }},
-       {shown("near it from"), [](const Reach& r) { return or_null(r.own); }},
+text::Table table_of_particles_needed(const std::vector<ParticlesNeeded>& needed) {
+  return table_of<ParticlesNeeded>(
+      {{shown("case"), [](const ParticlesNeeded& r) { return r.case_name; }},
+       {shown("scheme"), [](const ParticlesNeeded& r) { return r.scheme; }},
+       {shown("finest"), [](const ParticlesNeeded& r) { return r.finest; }},
+       {shown("near it from"), [](const ParticlesNeeded& r) { return or_null(r.own); }},
        {shown("as published from"),
-        [](const Reach& r) {
+        [](const ParticlesNeeded& r) {
           return r.has_published && !r.published ? Value("not yet") : or_null(r.published);
         }},
-       {shown("b/a known to", "{:.3f}"), [](const Reach& r) { return or_null(r.known_to); }},
+       {shown("b/a known to", "{:.3f}"),
+        [](const ParticlesNeeded& r) { return or_null(r.known_to); }},
        {shown("b/a as N grows"),
-        [](const Reach& r) {
+        [](const ParticlesNeeded& r) {
           return r.b_over_a
                      ? Value(fmt::format("{:.3f} +- {:.3f}", r.b_over_a->value, r.b_over_a->error))
                      : Value();
         }}},
-      reaches);
+      needed);
 }
 
-std::vector<fs::path> write_study(const Study& study, const std::vector<StudyResult>& results,
-                                  const fs::path& folder,
-                                  const std::optional<job_folder::JobFolder>& jobs) {
-  const std::vector<StudyCell> cells = cells_of(study, results);
-  const std::vector<Reach> reaches = reaches_of(study, cells);
+std::vector<fs::path> write_convergence_study(const ConvergenceStudy& study,
+                                              const std::vector<ConvergenceResult>& results,
+                                              const fs::path& folder,
+                                              const std::optional<job_folder::JobFolder>& jobs) {
+  const std::vector<ConvergenceCell> cells = cells_of(study, results);
+  const std::vector<ParticlesNeeded> needed = particles_needed(study, cells);
   std::vector<fs::path> files = {folder / "runs.csv", folder / "convergence.csv",
                                  folder / "reach.csv", folder / "results.md"};
   install_text(files[0], runs_csv(results));
   install_text(files[1], cells_csv(cells));
-  install_text(files[2], reaches_csv(reaches));
-  install_text(files[3], study_page(study, cells, reaches));
+  install_text(files[2], particles_needed_csv(needed));
+  install_text(files[3], convergence_page(study, cells, needed));
   if (jobs) {
     files.push_back(folder / "diagnosis.csv");
     install_text(files.back(), diagnosis_csv(study, results, *jobs));
@@ -80,7 +82,7 @@ std::vector<fs::path> write_study(const Study& study, const std::vector<StudyRes
     files.push_back(folder / (name + ".svg"));
     figures::draw_convergence(files.back(), *figure);
   };
-  for (const Study::Case& one : study.cases) {
+  for (const ConvergenceStudy::Case& one : study.cases) {
     draw(one.name, figure_of(study, one, cells));
     if (jobs) draw(one.name + "-diagnosis", diagnosis_figure(study, one, results, *jobs));
   }

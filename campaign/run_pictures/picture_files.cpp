@@ -1,0 +1,68 @@
+#include "campaign/run_pictures/picture_files.hpp"
+
+#include <numeric>
+
+#include "analysis/drawing/gnuplot.hpp"
+#include "analysis/pictures/movie.hpp"
+#include "campaign/run_pictures/run_pictures.hpp"
+
+namespace eerie::run_pictures {
+using text::both, text::data, text::shown;
+using text::Value;
+
+namespace {
+
+text::Table table_of_panels(const std::vector<double>& times,
+                            const std::vector<std::size_t>& chosen, const RunPictures& pictures) {
+  text::Table table{
+      {shown("panel"), both("requested_s", "asked s", "{:g}"), both("time_s", "taken s", "{:g}"),
+       data("file"), shown("snapshot"), data("remnants_outside")},
+      {}};
+  for (std::size_t p = 0; p < chosen.size(); ++p) {
+    const job_folder::SnapshotFile& snapshot = pictures.snapshots()[chosen[p]];
+    table.rows.push_back({p + 1, times.empty() ? Value() : Value(times[p]), snapshot.time,
+                          snapshot.path.string(), snapshot.path.filename().string(),
+                          pictures::remnants_outside(pictures.frame(), pictures.layout(p))});
+  }
+  return table;
+}
+
+text::Table draw_panels(const PictureRequest& request, RunPictures& pictures) {
+  const std::vector<std::size_t> chosen =
+      request.times.empty() ? job_folder::telling(pictures.snapshots())
+                            : job_folder::nearest(pictures.snapshots(), request.times);
+  pictures.choose_frame(chosen, request.width, 1);
+  pictures::draw_panels(request.panels, pictures.figure(chosen));
+  return table_of_panels(request.times, chosen, pictures);
+}
+
+void draw_film(const PictureRequest& request, RunPictures& pictures) {
+  std::vector<std::size_t> all(pictures.snapshots().size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  pictures.choose_frame(all, request.width, 0.9);
+  pictures::make_movie(request.film, all.size(), request.frames_per_s,
+                       [&](std::size_t k) { return pictures.figure({k}, k); });
+}
+
+}  // namespace
+
+void require_drawable(const PictureRequest& request) {
+  if (!request.panels.empty()) drawing::require_figure_file(request.panels);
+  if (!request.film.empty()) pictures::require_movie(request.film);
+}
+
+DrawnPictures draw(const PictureRequest& request, const std::filesystem::path& folder) {
+  RunPictures pictures(folder, request.colour, request.cut);
+  DrawnPictures drawn;
+  if (!request.panels.empty()) {
+    drawn.panels = draw_panels(request, pictures);
+    drawn.frame = pictures.frame();
+  }
+  if (request.film.empty()) return drawn;
+  draw_film(request, pictures);
+  drawn.frames = pictures.snapshots().size();
+  if (request.panels.empty()) drawn.frame = pictures.frame();
+  return drawn;
+}
+
+}  // namespace eerie::run_pictures
