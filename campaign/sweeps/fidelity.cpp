@@ -43,7 +43,7 @@ bool takes_default(const json& scene) {
   const auto given = [&](const char* pointer, const json& otherwise) {
     return scene.value(json::json_pointer(pointer), otherwise);
   };
-  return given("/numerics/scheme", "").empty() && given("/environment/self_gravity", true) &&
+  return given("/numerics/scheme", "") == "" && given("/environment/self_gravity", true) &&
          given("/material/energy", "none") == "none";
 }
 

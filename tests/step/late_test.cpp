@@ -1,7 +1,6 @@
 #include "solver/step/late.hpp"
 
 #include <gmock/gmock.h>
-#include <hdf5.h>
 
 #include <nlohmann/json.hpp>
 
@@ -93,16 +92,6 @@ TEST(LatePhase, HoldsViscosityWhileMatterStillFlows) {
   EXPECT_DOUBLE_EQ(slow.numerics.viscosity_alpha * bulk_sound_speed(slow), alpha * c);
   EXPECT_EQ(slow.numerics.viscosity_beta, scene.numerics.viscosity_beta);  // beta has no c
   EXPECT_EQ(calm.numerics.viscosity_alpha, alpha);
-}
-
-TEST(LatePhase, IsReadFromFilesOfWhenItBeganOnlyOnceAllWasCalm) {
-  const TemporaryFolder folder;
-  run_in(folder, late_impact(), calm_from(30));
-  const std::filesystem::path file = folder / "final.hdf5";
-  const hid_t open = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  ASSERT_GE(H5Adelete_by_name(open, "State", "IsCalm", H5P_DEFAULT), 0);
-  H5Fclose(open);
-  EXPECT_EQ(io::read_snapshot(file).state.softening, (Softening{0.25, true}));
 }
 
 /// Matter moves slowly from 10 s on, more so from 20 s on, and is calm from 30 s on.
