@@ -90,6 +90,24 @@ std::vector<std::string> departures(const json& scene, const std::string& where)
   return found;
 }
 
+std::string_view rung_above(std::string_view name) {
+  for (std::size_t k = 0; k + 1 < std::size(fidelities); ++k)
+    if (fidelities[k].name == name && fidelities[k].is_rung && fidelities[k + 1].is_rung)
+      return fidelities[k + 1].name;
+  return "";
+}
+
+std::string cheaper_rung(std::string_view name) {
+  for (const Fidelity& cheaper : fidelities) {
+    if (rung_above(cheaper.name) != name || name.empty()) continue;
+    const Fidelity& rung = *std::ranges::find(fidelities, name, &Fidelity::name);
+    return fmt::format(
+        "--fidelity {} takes {:.0f} % of that; its b/a errs by {:g} in place of {:g}", cheaper.name,
+        100 * cheaper.core_seconds / rung.core_seconds, cheaper.error, rung.error);
+  }
+  return "";
+}
+
 std::string_view fidelity_of(const json& canonical) {
   static const std::vector<json> known = [] {
     std::vector<json> all;

@@ -11,7 +11,9 @@ namespace eerie::sweeps {
 struct Fidelity {
   const char* name;
   const char* settings;  ///< JSON, part of a scene; those of a rung go over rung_settings
-  bool is_rung = true;   ///< whether it belongs to the ladder of the default scheme
+  /// Core-seconds of a typical impact, and the root mean square error of b/a (docs/accuracy.md).
+  double core_seconds = 0, error = 0;
+  bool is_rung = true;  ///< whether it belongs to the ladder of the default scheme
 };
 
 /// The settings of all rungs. They take the default scheme. Runs end when remnants have settled, or
@@ -25,16 +27,16 @@ inline constexpr const char* rung_settings =
 /// The rungs of the ladder, cheapest first, and the settings of the paper for comparison.
 inline constexpr Fidelity fidelities[] = {
     // This is the smallest number of particles that makes an impactor of q = 0.25.
-    {"sketch", R"({"numerics": {"particles_per_target": 400}})"},
-    {"survey", R"({"numerics": {"particles_per_target": 1000}})"},
-    {"standard", R"({"numerics": {"particles_per_target": 5000}})"},
-    {"fine", R"({"numerics": {"particles_per_target": 20000}})"},
+    {"sketch", R"({"numerics": {"particles_per_target": 400}})", 1.5, 0.2},
+    {"survey", R"({"numerics": {"particles_per_target": 1000}})", 4, 0.12},
+    {"standard", R"({"numerics": {"particles_per_target": 5000}})", 40, 0.06},
+    {"fine", R"({"numerics": {"particles_per_target": 20000}})", 400, 0.02},
     // The particle number, scheme and time of Sugiura, Kobayashi & Inutsuka (2019). A run may end
     // earlier once it has settled by the default tolerances, which changes b/a by at most 0.006.
     {"paper",
      R"({"numerics": {"scheme": "libersky-petschek-2018", "particles_per_target": 50000},
          "end": {"time_s": 100000, "settled": {"window_s": 4000}}})",
-     false},
+     2000, 0.05, false},
 };
 
 /// The fidelity of scenes that name no scheme.
@@ -54,6 +56,13 @@ nlohmann::json over_default_fidelity(const nlohmann::json& scene);
 
 /// Says which settings of the default fidelity a scene, as given, replaces.
 std::vector<std::string> departures(const nlohmann::json& scene, const std::string& where);
+
+/// The rung above one; empty above the last one, and where `name` is no rung.
+std::string_view rung_above(std::string_view name);
+
+/// Says what a rung saves and errs against the one above, `name`; empty for the lowest rung and
+/// for other names.
+std::string cheaper_rung(std::string_view name);
 
 /// The fidelity whose numerics (except the seed) and end a scene has, given its to_json(). Empty
 /// where no fidelity matches.

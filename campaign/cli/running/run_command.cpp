@@ -6,8 +6,11 @@
 #include "campaign/cli/running/run_arguments.hpp"
 #include "campaign/maps/map.hpp"
 #include "campaign/overview/campaign_look.hpp"
+#include "campaign/overview/estimate.hpp"
+#include "campaign/results/finding.hpp"
 #include "campaign/results/results_table.hpp"
 #include "campaign/results/view_tables.hpp"
+#include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/plan.hpp"
 #include "db/jobs/control.hpp"
 #include "db/jobs/jobs.hpp"
@@ -29,6 +32,18 @@ std::vector<fs::path> draw(const db::Connection& connection, const RunArguments&
     pictures.insert(pictures.end(), written.begin(), written.end());
   }
   return pictures;
+}
+
+/// Commands that can be pasted: a look at an elongated remnant, and the same sweep one rung up.
+void add_next_steps(Answer& answer, const RunArguments& a,
+                    const std::vector<db::ResultRow>& results) {
+  if (const auto elongated =
+          std::ranges::find_if(results, [](const db::ResultRow& r) { return r.result.n_eer > 0; });
+      elongated != results.end())
+    answer.say("next:     eerie show {} --db {}\n", elongated->hash.substr(0, 8), a.database);
+  if (results.empty()) return;
+  if (const std::string_view finer = sweeps::rung_above(results.front().fidelity); !finer.empty())
+    answer.say("finer:    eerie run {} --db {} --fidelity {}\n", a.sweep, a.database, finer);
 }
 
 Answer report(const db::Connection& connection, const RunArguments& a, std::int64_t sweep,
@@ -60,13 +75,15 @@ Answer report(const db::Connection& connection, const RunArguments& a, std::int6
   answer.add(results::results_table(results), results::legend_of(results));
   if (const std::string drift = results::drift_warning(results); !drift.empty())
     print_warnings({drift});
-  answer.say("\n{} of {} jobs done{}{}\n", t.done, t.total,
+  answer.say("\n{}", results::finding(results));
+  answer.say("{} of {} jobs done{}{}\n", t.done, t.total,
              t.failed > 0 ? fmt::format(", {} failed", t.failed) : "",
              t.left > 0 ? fmt::format(", {} left", t.left) : "");
   add_failures(answer, failures, job_folder::job_folder(connection));
   if (t.failed > 0) answer.say("run again with --retry-failed to try the failed jobs once more\n");
   answer.say("database: {}\n", a.database);
   for (const fs::path& picture : pictures) answer.say("map:      {}\n", picture);
+  add_next_steps(answer, a, results);
   return answer;
 }
 
@@ -75,6 +92,16 @@ void require_fixed_fidelity(const RunArguments& a) {
     if (option->count() > 0)
       throw InputError(
           fmt::format("{0} needs --fidelity auto; add that, or leave {0} out", option->get_name()));
+}
+
+/// The fidelity of a sweep, its cost, and what a cheaper one would take.
+void say_cost(Output& out, const sweeps::Plan& plan, const fs::path& database) {
+  const std::string fidelity = plan.jobs.front().fidelity;
+  const std::string cheaper = sweeps::cheaper_rung(fidelity);
+  out.say("{}: about {:.2g} core-hours in all{}\n",
+          fidelity.empty() ? "settings without a name" : "fidelity " + fidelity,
+          overview::estimate(database, plan.jobs).core_hours,
+          cheaper.empty() ? "" : fmt::format(" ({})", cheaper));
 }
 
 Answer run(const RunArguments& a, Output& out) {
@@ -91,7 +118,9 @@ Answer run(const RunArguments& a, Output& out) {
   const db::AddedSweep added = sweeps::store(held.connection, plan);
   if (a.retry_failed) db::retry_failed(held.connection, added.sweep);
   if (const std::size_t left = manager::tally(held.connection, added.sweep).left; left > 0) {
+    say_cost(out, plan, a.database);
     out.say("{}: {} jobs, {} new, {} to run\n", name, added.jobs, added.added, left);
+    print_warnings(sweeps::departures(plan.sweep.scene, a.sweep.string()));
     print_warnings(sweeps::cautions(plan.scenes));
     CampaignWatch watch(name, out);
     manager::work(held.connection, added.sweep, workplace(a.scheduler, a.share), watch);

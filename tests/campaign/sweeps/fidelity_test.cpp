@@ -51,6 +51,22 @@ TEST(Fidelity, IsTheDefaultBehindTheFileWhereThatNamesNoScheme) {
   }
 }
 
+TEST(Fidelity, IsARungBetweenACheaperAndAFinerOne) {
+  EXPECT_EQ(rung_above("sketch"), "survey");
+  EXPECT_EQ(rung_above("standard"), "fine");
+  for (const char* last : {"fine", "paper", ""}) EXPECT_EQ(rung_above(last), "") << last;
+  EXPECT_THAT(cheaper_rung("standard"),
+              testing::StartsWith("--fidelity survey takes 10 % of that"));
+  for (const char* lowest : {"sketch", "paper", ""}) EXPECT_EQ(cheaper_rung(lowest), "") << lowest;
+  double cost = 0, error = 1;
+  for (const Fidelity& fidelity : fidelities) {
+    if (!fidelity.is_rung) continue;
+    EXPECT_GT(fidelity.core_seconds, cost) << fidelity.name;
+    EXPECT_LT(fidelity.error, error) << fidelity.name;
+    cost = fidelity.core_seconds, error = fidelity.error;
+  }
+}
+
 TEST(Fidelity, MayHaveAFieldThatTheGridVaries) {
   const Sweep sweep = parse_sweep(
       {{"name", "s"}, {"grid", {{"numerics.particles_per_target", {500, 1000}}}}}, {}, "s.json");

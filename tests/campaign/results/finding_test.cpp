@@ -1,0 +1,40 @@
+#include "campaign/results/finding.hpp"
+
+#include <gtest/gtest.h>
+
+namespace eerie::results {
+namespace {
+
+db::ResultRow row(double phi_d, double v, double theta, int n_eer) {
+  db::ResultRow r;
+  r.q = 1, r.phi_d_deg = phi_d, r.v_imp_cm_per_s = v, r.theta_imp_deg = theta;
+  r.result.n_eer = n_eer;
+  return r;
+}
+
+TEST(Finding, SaysHowManyImpactsMakeAnElongatedRemnantAndWhere) {
+  // 20 sin 15 deg = 5.18, 18 sin 15 deg = 4.66 cm/s. A second seed of an impact is no second
+  // impact.
+  EXPECT_EQ(
+      finding({row(40, 18, 15, 1), row(40, 20, 15, 0), row(40, 20, 15, 1), row(40, 15, 10, 0)}),
+      "2 of 3 impacts make an extremely elongated remnant (b/a < 0.3), at v sin(theta) = 4.7 "
+      "to 5.2 cm/s; the paper has them along 5.1 cm/s\n");
+}
+
+TEST(Finding, SaysThatNoneDoesAndIsSilentAboutAPaperThatIs) {
+  EXPECT_EQ(finding({row(45, 18, 15, 0)}),
+            "none of 1 impacts makes an extremely elongated remnant (b/a < 0.3)\n");
+  EXPECT_EQ(finding({}), "");
+}
+
+TEST(Finding, HasOneSentencePerMassRatioAndFriction) {
+  EXPECT_EQ(
+      finding({row(40, 15, 10, 0), row(50, 20, 20, 1)}),
+      "q 1, phi_d 40 deg: none of 1 impacts makes an extremely elongated remnant (b/a < 0.3); "
+      "the paper has them along 5.1 cm/s\n"
+      "q 1, phi_d 50 deg: 1 of 1 impacts make an extremely elongated remnant (b/a < 0.3), at v "
+      "sin(theta) = 6.8 cm/s; the paper has them along 7.4 cm/s\n");
+}
+
+}  // namespace
+}  // namespace eerie::results
