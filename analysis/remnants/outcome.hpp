@@ -7,7 +7,7 @@
 namespace eerie::remnants {
 
 /// What became of the two bodies, in the vocabulary of Leinhardt & Stewart (2012, ApJ 745, 79).
-/// docs/outcomes.md gives the reasoning.
+/// docs/explanation/remnants.md gives the reasoning.
 enum class OutcomeClass {
   perfect_merging,
   graze_and_merge,

@@ -42,8 +42,8 @@ struct CatalogueOptions {
       radius_m;  ///< of all targets in place of the file's: v/v_esc, q, theta stay
 };
 
-/// Reads a catalogue of collisions (docs/catalogue.md). Throws InputError naming file, line,
-/// column, value, what is allowed and the mend.
+/// Reads a catalogue of collisions (docs/reference/catalogue.md). Throws InputError naming file,
+/// line, column, value, what is allowed and the mend.
 Catalogue parse_catalogue(std::string_view text, const std::string& name,
                           const CatalogueOptions& options);
 

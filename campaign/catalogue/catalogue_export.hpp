@@ -6,8 +6,8 @@
 
 namespace eerie::catalogue {
 
-/// Results as a catalogue of collisions (docs/catalogue.md), one line each. Masses of remnants are
-/// those of bound groups. `query` chooses and orders the results.
+/// Results as a catalogue of collisions (docs/reference/catalogue.md), one line each. Masses of
+/// remnants are those of bound groups. `query` chooses and orders the results.
 std::string catalogue_csv(const db::Connection& connection, const db::ViewQuery& query);
 
 }  // namespace eerie::catalogue

@@ -10,8 +10,8 @@
 
 namespace eerie::job_folder {
 
-/// The folder through which manager and worker speak (docs/job-directory.md). Every file in it
-/// is installed whole or not at all.
+/// The folder through which manager and worker speak (docs/reference/job-directory.md). Every file
+/// in it is installed whole or not at all.
 struct JobDirectory {
   std::filesystem::path path;
 

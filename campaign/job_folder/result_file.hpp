@@ -16,8 +16,8 @@ namespace eerie::job_folder {
 /// Of result.json; raised when its meaning changes.
 inline constexpr int result_version = 2;
 
-/// The content of result.json (docs/job-directory.md): what the impact left behind, what the
-/// run cost, where the numbers come from, and the SHA-256 of all that.
+/// The content of result.json (docs/reference/job-directory.md): what the impact left behind, what
+/// the run cost, where the numbers come from, and the SHA-256 of all that.
 nlohmann::json result_json(const Scene& scene, const run::RunSummary& summary,
                            const remnants::Analysis& analysis);
 
@@ -25,7 +25,7 @@ nlohmann::json result_json(const Scene& scene, const run::RunSummary& summary,
 nlohmann::json run_json(const Scene& scene, const run::RunSummary& summary);
 
 /// A run that keeps its angular momentum worse is warned of: the usual settings keep it to 1e-3
-/// (docs/stability.md).
+/// (docs/notebook/stability.md).
 inline constexpr double most_angular_momentum_drift = 0.01;
 /// What is to be said of a run beside its result; "warnings" of its "run" part.
 std::vector<std::string> run_warnings(const Scene& scene, const run::RunSummary& summary);

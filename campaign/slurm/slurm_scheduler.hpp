@@ -11,9 +11,9 @@
 
 namespace eerie::slurm {
 
-/// Workers as array tasks of a Slurm cluster (docs/slurm.md). All that is known of a submission
-/// stands in its folder, written before sbatch is called, so that a manager which was killed at
-/// any instant finds its jobs again and submits none twice.
+/// Workers as array tasks of a Slurm cluster (docs/how-to/slurm.md). All that is known of a
+/// submission stands in its folder, written before sbatch is called, so that a manager which was
+/// killed at any instant finds its jobs again and submits none twice.
 class SlurmScheduler : public manager::Scheduler {
  public:
   /// Takes up the batches that an earlier manager left in `jobs_folder`, which nodes must see

@@ -8,7 +8,7 @@
 namespace eerie::sweeps {
 
 /// How much an impact may cost: a named set of numerics and end, as --set would give them. What
-/// each costs and how true it is stands in docs/accuracy.md.
+/// each costs and how true it is stands in docs/notebook/accuracy.md.
 struct Fidelity {
   const char* name;
   const char* settings;  ///< JSON, part of a scene

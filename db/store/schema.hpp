@@ -3,7 +3,7 @@
 namespace eerie::db {
 
 /// Version 1. Tables are the program's own; the views `results`, `remnants` and `maps` are the
-/// stable face for users (docs/database.md), so no table takes one of these names.
+/// stable face for users (docs/reference/database.md), so no table takes one of these names.
 inline constexpr const char* schema_1 = R"sql(
 CREATE TABLE sweeps (
   id       INTEGER PRIMARY KEY,

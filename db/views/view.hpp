@@ -17,8 +17,8 @@ class Statement;
 
 namespace eerie::db {
 
-/// The views for users (docs/database.md). `all_jobs` is made by each connection for itself: all
-/// jobs, with their results where they have one.
+/// The views for users (docs/reference/database.md). `all_jobs` is made by each connection for
+/// itself: all jobs, with their results where they have one.
 enum class View { results, remnants, maps, all_jobs };
 inline constexpr std::array<std::string_view, 4> view_names = {"results", "remnants", "maps",
                                                                "all_jobs"};

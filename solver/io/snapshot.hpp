@@ -20,7 +20,7 @@ inline particles::OptionalFields optional_fields(const Scene& scene) {
 /// Raised whenever a file written before can no longer be read.
 inline constexpr std::int64_t snapshot_format_version = 4;
 
-/// One HDF5 file in SWIFT's layout (docs/formats.md): a snapshot, and, when `rates` and
+/// One HDF5 file in SWIFT's layout (docs/reference/snapshots.md): a snapshot, and, when `rates` and
 /// `restart` are there, a checkpoint that continues with the same bits. Particles are in memory
 /// order, and every double comes back as it was.
 struct Snapshot {

@@ -12,7 +12,7 @@ void write_field(hid_t group, const char* name, std::span<const T> data);
 
 /// Writes what readers of SWIFT files (yt, swiftsimio) and of VTKHDF files (ParaView) look for,
 /// by links to the exact fields in `state_group` wherever those will do. Nothing of it is read
-/// back. docs/formats.md lists it.
+/// back. docs/reference/snapshots.md lists it.
 void write_swift_groups(hid_t file, hid_t state_group, const Snapshot& snapshot);
 void write_vtkhdf_group(hid_t file, const Snapshot& snapshot);
 

@@ -17,7 +17,7 @@ inline constexpr Scheme schemes[] = {
     // Correction of the gradient in stress rate and its dual force.
     {"dual", "{}"},
     // Besides, density follows the corrected divergence and viscosity leaves shear alone, so that
-    // flowing rubble is not driven apart (docs/convergence.md).
+    // flowing rubble is not driven apart (docs/notebook/convergence.md).
     {"shear-free", R"({"gradient": "corrected-fully", "viscosity": "shear-free",
                       "integrator": "leapfrog-pece", "cfl": 0.8})"},
     // Faithful density, and the artificial viscosity that the paper has with 50,000 particles per

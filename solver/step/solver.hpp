@@ -17,7 +17,7 @@
 namespace eerie::step {
 
 /// Integrates one State under the laws of a Scene (its bodies and impact are not looked at).
-/// Equations and scheme: docs/equations.md.
+/// Equations and scheme: docs/explanation/equations.md.
 ///
 /// A predictor-corrector leapfrog with one evaluation of the elastic and frictional forces per
 /// step. Gravity changes slowly: it is evaluated once in a *cycle* of steps, as long as

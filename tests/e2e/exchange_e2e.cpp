@@ -35,7 +35,8 @@ class Exchange : public testing::Test {
   int python(const std::string& script) {
     install_text(folder / "script.py", script);
     return std::system(
-        ("cd " + folder.path().string() + " && /usr/bin/python3 script.py > python.out 2>&1").c_str());
+        ("cd " + folder.path().string() + " && /usr/bin/python3 script.py > python.out 2>&1")
+            .c_str());
   }
   test::TemporaryFolder folder;
 };
@@ -108,7 +109,7 @@ TEST_F(Exchange, TheDocumentedLinesOfPandasRun) {
   if (python("import pandas") != 0) GTEST_SKIP() << "python3-pandas is not installed";
   ASSERT_EQ(ask({"query", "--of", "remnants", "-o", "remnants.csv"}).code, 0);
   ASSERT_EQ(ask({"query", "--format", "json-table", "-o", "table.json"}).code, 0);
-  const std::string page = read_file(test::source_folder() / "docs/database.md");
+  const std::string page = read_file(test::source_folder() / "docs/reference/database.md");
   const std::string open = "```python\n";
   const std::size_t begin = page.find(open) + open.size();
   EXPECT_EQ(python(page.substr(begin, page.find("```", begin) - begin) +

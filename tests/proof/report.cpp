@@ -9,8 +9,8 @@
 
 #include "solver/base/file.hpp"
 
-// Turns the records of `make validate` into docs/validation.md and docs/stability.md.
-// usage: eerie_report RECORDS DOCS
+// Turns the records of `make validate` into docs/notebook/validation.md and
+// docs/notebook/stability.md. usage: eerie_report RECORDS DOCS
 
 namespace fs = std::filesystem;
 using nlohmann::json;

@@ -49,7 +49,7 @@ TEST(DocumentedSql, RunsAndFindsTheResultsThatAreThere) {
                                       .y_m = -400,
                                       .z_m = 0}});
 
-  const auto blocks = sql_blocks(read_file(test::source_folder() / "docs/database.md"));
+  const auto blocks = sql_blocks(read_file(test::source_folder() / "docs/reference/database.md"));
   EXPECT_GE(blocks.size(), 7u);
   SQLite::Database sql(folder / "a.sqlite");
   for (const std::string& block : blocks) {

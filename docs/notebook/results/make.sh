@@ -1,6 +1,6 @@
 #!/bin/sh
 # Draws everything in this folder from databases of fig2b-ridge and fig4-ridge by `survey`:
-#   docs/results/make.sh FOLDER_OF_DATABASES     (from the root of the repository, after make run)
+#   docs/notebook/results/make.sh FOLDER_OF_DATABASES     (from the root of the repository, after make run)
 # The runs themselves (some two core-hours):
 #   eerie run sweeps/fig2b-ridge.json --fidelity survey --set numerics.seed=1 --db FOLDER/fig2b.sqlite
 #   eerie run sweeps/fig2b-ridge.json --fidelity survey --set numerics.seed=2 --db FOLDER/fig2b.sqlite
@@ -10,7 +10,7 @@
 #     eerie run sweeps/table2-$s.json --fidelity sketch --db FOLDER/table2.sqlite; done
 set -eu
 eerie=${EERIE:-build/eerie}
-out=docs/results
+out=docs/notebook/results
 columns=hash,q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,v_over_v_esc,seed,class,m_lr_over_m_total
 columns=$columns,m_slr_over_m_total,b_over_a,c_over_a,period_h,eer,n_eer,n_remnants,settled
 columns=$columns,ended_at_s,end_reason,dL_over_L,particle_steps,solver_version,fidelity
