@@ -10,7 +10,7 @@
 
 namespace eerie::job_folder {
 
-/// The folder through which manager and worker speak (docs/reference/job-directory.md). Every file
+/// The folder through which manager and worker speak (docs/reference/files.md). Every file
 /// in it is installed whole or not at all.
 struct JobDirectory {
   std::filesystem::path path;

@@ -16,7 +16,7 @@ namespace eerie::job_folder {
 /// Of result.json; raised when its meaning changes.
 inline constexpr int result_version = 2;
 
-/// The content of result.json (docs/reference/job-directory.md): what the impact left behind, what
+/// The content of result.json (docs/reference/files.md): what the impact left behind, what
 /// the run cost, where the numbers come from, and the SHA-256 of all that.
 nlohmann::json result_json(const Scene& scene, const run::RunSummary& summary,
                            const remnants::Analysis& analysis);
