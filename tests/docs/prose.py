@@ -98,7 +98,7 @@ def check_itself():
         return len(list(Page("Short here. Short there.\n\n" + text).complaints()))
     words = "word " * 39
     assert complaints(f"{words}end.") == 0 and complaints(f"One {words}end, cf. `a b c`.") == 1
-    assert complaints("Ten words are in here, eight more than two. " * 13) == 1
+    assert complaints("Nine words are in here, seven more than two. " * 14) == 1
     assert complaints(f"| a | {words} more words |\n") == 1
     assert complaints(f"    {words} in code\n\n```\n{words} in code\n```\n") == 0
 
