@@ -3,7 +3,7 @@
 BUILD ?= build
 JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
-.PHONY: help run build test validate bench scale settled results test-faults sanitize fuzz format tidy clean packages-run packages-test packages-fuzz
+.PHONY: help run build test validate reference bench scale settled results test-faults sanitize fuzz format tidy clean packages-run packages-test packages-fuzz
 FUZZ_SECONDS ?= 60
 
 help:   ## this list
@@ -28,6 +28,9 @@ validate: packages-test  ## run the long physics (up to an hour) and write two p
 	@status=0; EERIE_REPORT=$(abspath $(BUILD))/records \
 	  ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -L long || status=$$?; \
 	  $(BUILD)/tests/eerie_report $(BUILD)/records docs/notebook && exit $$status
+
+reference: build  ## write the tables of docs/reference anew, from the program and the schema
+	@docs/reference/make.py $(BUILD)/eerie
 
 bench: packages-test  ## time steps and stages (5 minutes); BASELINE=FILE: ratios to an earlier bench.json
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_BENCHMARKS=ON
