@@ -58,7 +58,8 @@ TEST(Tutorial, EveryCommandOfThePageRunsAndLeavesTheFilesThatItNames) {
   EXPECT_THAT(out, HasSubstr("mine: 63 jobs"));
   EXPECT_THAT(out, HasSubstr("63 of 63 jobs done"));
   EXPECT_THAT(out, HasSubstr("12 of 12 jobs done"));
-  for (const char* file : {"mine-b-over-a.png", "eer.png", "figure.pdf", "figure.csv"})
+  EXPECT_THAT(out, HasSubstr("10 of 10 jobs done"));
+  for (const char* file : {"mine-b-over-a.png", "impact.png", "figure.pdf", "figure.csv"})
     EXPECT_TRUE(fs::exists(folder.path() / file)) << file;
 }
 
