@@ -3,7 +3,7 @@
 BUILD ?= build
 JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
-.PHONY: help run build test validate bench scale settled results test-faults sanitize odr fuzz format tidy clean packages-run packages-test packages-fuzz
+.PHONY: help run build test validate reference bench scale settled results test-faults sanitize odr fuzz format tidy clean packages-run packages-test packages-fuzz
 FUZZ_SECONDS ?= 60
 
 help:   ## this list
@@ -21,13 +21,16 @@ test: packages-test  ## build and run the tests (about 10 minutes on 2 cores)
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE long
 
-validate: packages-test  ## run the long physics (up to an hour) and write docs/validation.md, stability.md
+validate: packages-test  ## run the long physics (up to an hour) and write two pages of docs/notebook
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON
 	@cmake --build $(BUILD) -j $(JOBS) --target eerie_long eerie_report
 	@rm -rf $(BUILD)/records
 	@status=0; EERIE_REPORT=$(abspath $(BUILD))/records \
 	  ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -L long || status=$$?; \
-	  $(BUILD)/tests/eerie_report $(BUILD)/records docs && exit $$status
+	  $(BUILD)/tests/eerie_report $(BUILD)/records docs/notebook && exit $$status
+
+reference: build  ## write the tables of docs/reference anew, from the program and the schema
+	@docs/reference/make.py $(BUILD)/eerie
 
 bench: packages-test  ## time steps and stages (5 minutes); BASELINE=FILE: ratios to an earlier bench.json
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_BENCHMARKS=ON
@@ -35,27 +38,27 @@ bench: packages-test  ## time steps and stages (5 minutes); BASELINE=FILE: ratio
 	@$(BUILD)/tests/bench/eerie_bench --benchmark_out=$(BUILD)/bench.json.new --benchmark_out_format=json \
 	  $(if $(BASELINE),--baseline $(BASELINE)) && mv $(BUILD)/bench.json.new $(BUILD)/bench.json
 
-scale: packages-test  ## measure a campaign of 1,000 to 100,000 jobs (10 minutes): docs/scale
+scale: packages-test  ## measure a campaign of 1,000 to 100,000 jobs (10 minutes): docs/notebook/scale
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON -DEERIE_BENCHMARKS=ON > /dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target eerie eerie_scale
-	@OMP_NUM_THREADS=1 $(BUILD)/tests/bench/eerie_scale docs/scale
+	@OMP_NUM_THREADS=1 $(BUILD)/tests/bench/eerie_scale docs/notebook/scale
 
-settled: packages-test  ## what the settled stop would have done to runs to 1e5 s (30 minutes): docs/accuracy
+settled: packages-test  ## what the settled stop would have done to runs to 1e5 s (30 minutes): docs/notebook/accuracy
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON -DEERIE_BENCHMARKS=ON > /dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target eerie eerie_settled eerie_settled_figure
 	@mkdir -p $(BUILD)/settled
 	@$(BUILD)/eerie converge sweeps/studies/settled.json --db $(BUILD)/settled/settled.sqlite -o $(BUILD)/settled > /dev/null
-	@$(BUILD)/tests/bench/eerie_settled $(BUILD)/settled/settled.sqlite.jobs docs/accuracy/settled.csv 4000 0.0015 0.02 0.005
-	@$(BUILD)/tests/bench/eerie_settled $(BUILD)/settled/settled.sqlite.jobs docs/accuracy/settled-survey.csv 4000 0.003 0.05 0.02
-	@$(BUILD)/tests/bench/eerie_settled_figure docs/accuracy/settled.csv docs/accuracy/settled-survey.csv docs/accuracy/settled.svg
+	@$(BUILD)/tests/bench/eerie_settled $(BUILD)/settled/settled.sqlite.jobs docs/notebook/accuracy/settled.csv 4000 0.0015 0.02 0.005
+	@$(BUILD)/tests/bench/eerie_settled $(BUILD)/settled/settled.sqlite.jobs docs/notebook/accuracy/settled-survey.csv 4000 0.003 0.05 0.02
+	@$(BUILD)/tests/bench/eerie_settled_figure docs/notebook/accuracy/settled.csv docs/notebook/accuracy/settled-survey.csv docs/notebook/accuracy/settled.svg
 
-results: build  ## the surveys beside the paper's Figs. 2b and 4 (2 core-hours): docs/results
+results: build  ## the surveys beside the paper's Figs. 2b and 4 (2 core-hours): docs/notebook/results
 	@mkdir -p $(BUILD)/results
 	@for seed in 1 2; do $(BUILD)/eerie run sweeps/fig2b-ridge.json --fidelity survey --set numerics.seed=$$seed --db $(BUILD)/results/fig2b.sqlite || exit 1; done
 	@$(BUILD)/eerie run sweeps/fig2b-ridge.json --fidelity auto --db $(BUILD)/results/fig2b.sqlite
 	@$(BUILD)/eerie run sweeps/fig4-ridge.json --fidelity survey --db $(BUILD)/results/fig4.sqlite
 	@for s in fig2a fig2b fig4 phi30 fig6 q025; do $(BUILD)/eerie run sweeps/table2-$$s.json --fidelity sketch --db $(BUILD)/results/table2.sqlite || exit 1; done
-	@EERIE=$(BUILD)/eerie docs/results/make.sh $(BUILD)/results
+	@EERIE=$(BUILD)/eerie docs/notebook/results/make.sh $(BUILD)/results
 
 test-faults: packages-test  ## kill, damage and starve campaigns (15 minutes): 200 kills, every named point
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON > /dev/null

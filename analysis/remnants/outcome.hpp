@@ -7,7 +7,7 @@
 namespace eerie::remnants {
 
 /// The outcome of an impact, in the classes of Leinhardt & Stewart (2012, ApJ 745, 79).
-/// docs/outcomes.md gives the reasons.
+/// docs/explanation/remnants.md gives the reasons.
 enum class OutcomeClass {
   perfect_merging,
   graze_and_merge,

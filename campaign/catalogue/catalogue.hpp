@@ -43,7 +43,7 @@ struct CatalogueOptions {
   std::optional<double> radius_m;
 };
 
-/// Reads a catalogue of collisions (docs/catalogue.md). Throws InputError, which names file, line,
+/// Reads a catalogue of collisions (docs/reference/catalogue.md). Throws InputError, which names file, line,
 /// column, value, the allowed values and the mend.
 Catalogue parse_catalogue(std::string_view text, const std::string& name,
                           const CatalogueOptions& options);

@@ -6,7 +6,7 @@
 
 namespace eerie::catalogue {
 
-/// Results as a catalogue of collisions (docs/catalogue.md) with one line per result. Masses of
+/// Results as a catalogue of collisions (docs/reference/catalogue.md) with one line per result. Masses of
 /// remnants are those of bound groups. `query` chooses and orders the results.
 std::string catalogue_csv(const db::Connection& connection, const db::ViewQuery& query);
 

@@ -10,7 +10,7 @@
 
 namespace eerie::job_folder {
 
-/// The folder through which manager and worker communicate (docs/job-directory.md). Every file in
+/// The folder through which manager and worker communicate (docs/reference/files.md). Every file in
 /// it is installed atomically.
 struct JobDirectory {
   std::filesystem::path path;

@@ -16,7 +16,7 @@ namespace eerie::job_folder {
 /// The version of result.json. It rises when the meaning of the file changes.
 inline constexpr int result_version = 2;
 
-/// The content of result.json (docs/job-directory.md): the analysis of the impact, the cost of the
+/// The content of result.json (docs/reference/files.md): the analysis of the impact, the cost of the
 /// run, the provenance of the numbers, and the SHA-256 of all these.
 nlohmann::json result_json(const Scene& scene, const run::RunSummary& summary,
                            const remnants::Analysis& analysis);
@@ -25,7 +25,7 @@ nlohmann::json result_json(const Scene& scene, const run::RunSummary& summary,
 nlohmann::json run_json(const Scene& scene, const run::RunSummary& summary);
 
 /// A larger relative error of the angular momentum makes a warning. The usual settings keep it to
-/// 1e-3 (docs/stability.md).
+/// 1e-3 (docs/notebook/stability.md).
 inline constexpr double most_angular_momentum_drift = 0.01;
 /// The warnings about a run, which are also in its "run" part.
 std::vector<std::string> run_warnings(const Scene& scene, const run::RunSummary& summary);

@@ -83,7 +83,7 @@ std::string drift_warning(const std::vector<ResultRow>& rows) {
   if (drifting == 0) return "";
   return fmt::format(
       "{} of {} results changed their angular momentum by more than {:g} %; `eerie query --where "
-      "dL_over_L={:g}:` shows them, docs/stability.md what to change",
+      "dL_over_L={:g}:` shows them, docs/notebook/stability.md what to change",
       drifting, rows.size(), 100 * job_folder::most_angular_momentum_drift,
       job_folder::most_angular_momentum_drift);
 }

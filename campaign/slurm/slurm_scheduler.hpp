@@ -11,7 +11,7 @@
 
 namespace eerie::slurm {
 
-/// Runs workers as array tasks of a Slurm cluster (docs/slurm.md). The folder of a submission has
+/// Runs workers as array tasks of a Slurm cluster (docs/how-to/slurm.md). The folder of a submission has
 /// everything about it and is written before sbatch is called. So a manager that was killed at any
 /// instant finds its jobs again and submits none twice.
 class SlurmScheduler : public manager::Scheduler {

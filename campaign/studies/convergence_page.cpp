@@ -82,9 +82,9 @@ std::string sentence(const ParticlesNeeded& r) {
     text += fmt::format("only {} were run", thousands(r.finest));
   if (r.has_published) text += fmt::format("; as published: {}", from_on(r.published));
   if (r.known_to && *r.known_to > b_over_a_within)
-    text += fmt::format("; by chance, perhaps: the means of b/a are known to {:.2f}", *r.known_to);
+    text += fmt::format(". By chance, perhaps: the means of b/a are known to {:.2f}", *r.known_to);
   if (r.b_over_a && r.b_over_a->error <= known_limit)
-    text += fmt::format("; b/a goes to {:.2f} ± {:.2f} as spacings vanish", r.b_over_a->value,
+    text += fmt::format(". As spacings vanish b/a goes to {:.2f} ± {:.2f}", r.b_over_a->value,
                         r.b_over_a->error);
   return text + ".\n";
 }
@@ -106,12 +106,11 @@ std::string convergence_page(const ConvergenceStudy& study,
                              const std::vector<ParticlesNeeded>& needed) {
   std::string page = fmt::format(
       "# {}\n\nMade by `eerie converge`; do not edit. Of the largest remnant: mean and standard "
-      "deviation of single runs over seeds. P(EER of 3): part of the runs with a remnant of b/a < "
-      "{:g} among the three largest, of {:g} of the mass at least. Unsettled: part of the runs "
-      "that ended with remnants still to meet. \"Near\": means "
-      "within {:g} in b/a and {:g} in M_1/M; \"as published\": that, and an EER in more than half "
-      "of the runs, or less, where one was published or not; each for that particle number and "
-      "all larger ones.\n",
+      "deviation of single runs over seeds.\n\n- P(EER of 3): part of the runs with a remnant of "
+      "b/a < {:g} among the three largest, of {:g} of the mass at least.\n- Unsettled: part of the "
+      "runs that ended with remnants still to meet.\n- \"Near\": means within {:g} in b/a and {:g} "
+      "in M_1/M, for that particle number and all larger ones.\n- \"As published\": near, and an "
+      "EER in more than half of the runs, or in less, where one was published or not.\n",
       study.name, remnants::eer_max_b_over_a, results::eer_least_mass, b_over_a_within, m_1_within);
   for (const ConvergenceStudy::Case& one : study.cases) {
     const std::vector<ConvergenceCell> rows = by_particles(one, cells);

@@ -11,7 +11,7 @@ namespace eerie::sweeps {
 struct Fidelity {
   const char* name;
   const char* settings;  ///< JSON, part of a scene; those of a rung go over rung_settings
-  /// Core-seconds of a typical impact, and the root mean square error of b/a (docs/accuracy.md).
+  /// Core-seconds of a typical impact, and the root mean square error of b/a (docs/notebook/accuracy.md).
   double core_seconds = 0, error = 0;
   bool is_rung = true;  ///< whether it belongs to the ladder of the default scheme
 };

@@ -3,7 +3,7 @@
 namespace eerie::db {
 
 /// Version 1 of the schema. Tables belong to the program. Users rely on the stable views `results`,
-/// `remnants` and `maps` (docs/database.md), so no table has one of these names.
+/// `remnants` and `maps` (docs/reference/database.md), so no table has one of these names.
 inline constexpr const char* schema_1 = R"sql(
 CREATE TABLE sweeps (
   id       INTEGER PRIMARY KEY,

@@ -17,7 +17,7 @@ class Statement;
 
 namespace eerie::db {
 
-/// The views for users (docs/database.md). Each connection makes `all_jobs` for itself: it has all
+/// The views for users (docs/reference/database.md). Each connection makes `all_jobs` for itself: it has all
 /// jobs, with the result of those that have one.
 enum class View { results, remnants, maps, all_jobs };
 inline constexpr std::array<std::string_view, 4> view_names = {"results", "remnants", "maps",

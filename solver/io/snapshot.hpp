@@ -20,7 +20,7 @@ inline particles::OptionalFields optional_fields(const Scene& scene) {
 /// The version of the format. It rises whenever older files can no longer be read.
 inline constexpr std::int64_t snapshot_format_version = 4;
 
-/// The content of one HDF5 file in SWIFT's layout (docs/formats.md). With `rates` and `restart` it
+/// The content of one HDF5 file in SWIFT's layout (docs/reference/snapshots.md). With `rates` and `restart` it
 /// is a checkpoint, from which a run continues with the same bits. Particles are in memory order,
 /// and every double keeps its bits.
 struct Snapshot {

@@ -12,7 +12,7 @@ void write_field(hid_t group, const char* name, std::span<const T> data);
 
 /// Writes the groups that readers of SWIFT files (yt, swiftsimio) and of VTKHDF files (ParaView)
 /// expect. Where possible these are links to the exact fields in `state_group`. eerie never reads
-/// them back. docs/formats.md lists them.
+/// them back. docs/reference/snapshots.md lists them.
 void write_swift_groups(hid_t file, hid_t state_group, const Snapshot& snapshot);
 void write_vtkhdf_group(hid_t file, const Snapshot& snapshot);
 

@@ -26,7 +26,7 @@ struct Guard {
   const char* consequence;
 };
 
-/// The lines of docs/stability.md.
+/// The lines of docs/notebook/stability.md.
 const Guard guards[] = {
     {"numerics.cfl", [](const Scene& s) { return s.numerics.cfl; },
      [](const Scene& s) { return s.numerics.cfl > restful_cfl(s.numerics); },

@@ -18,7 +18,7 @@ inline constexpr Scheme schemes[] = {
     // Corrects the gradient in the stress rate and in its dual, the force.
     {"dual", "{}"},
     // In addition density follows the corrected divergence and viscosity ignores shear. So flowing
-    // rubble is not driven apart (docs/convergence.md).
+    // rubble is not driven apart (docs/notebook/convergence.md).
     {"shear-free", R"({"gradient": "corrected-fully", "viscosity": "shear-free",
                       "integrator": "leapfrog-pece", "cfl": 0.8})"},
     // The faithful scheme, with the artificial viscosity of the paper at any particle number: its

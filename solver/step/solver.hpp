@@ -17,7 +17,7 @@
 namespace eerie::step {
 
 /// Integrates one State under the laws of a Scene; it does not use the scene's bodies and impact.
-/// docs/equations.md has the equations and the scheme.
+/// docs/explanation/equations.md has the equations and the scheme.
 ///
 /// The default is a predictor-corrector leapfrog with one evaluation of the elastic and frictional
 /// forces per step. Gravity changes slowly, so it is evaluated once per *cycle* of steps and

@@ -5,6 +5,7 @@
 
 #include "solver/base/file.hpp"
 #include "tests/support/impact_database.hpp"
+#include "tests/support/markdown.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/program.hpp"
 
@@ -35,7 +36,8 @@ class Exchange : public testing::Test {
   int python(const std::string& script) {
     install_text(folder / "script.py", script);
     return std::system(
-        ("cd " + folder.path().string() + " && /usr/bin/python3 script.py > python.out 2>&1").c_str());
+        ("cd " + folder.path().string() + " && /usr/bin/python3 script.py > python.out 2>&1")
+            .c_str());
   }
   test::TemporaryFolder folder;
 };
@@ -105,14 +107,12 @@ for row, one in zip(rows, wanted):
 }
 
 TEST_F(Exchange, TheDocumentedLinesOfPandasRun) {
-  if (python("import pandas") != 0) GTEST_SKIP() << "python3-pandas is not installed";
   ASSERT_EQ(ask({"query", "--of", "remnants", "-o", "remnants.csv"}).code, 0);
   ASSERT_EQ(ask({"query", "--format", "json-table", "-o", "table.json"}).code, 0);
-  const std::string page = read_file(test::source_folder() / "docs/database.md");
-  const std::string open = "```python\n";
-  const std::size_t begin = page.find(open) + open.size();
-  EXPECT_EQ(python(page.substr(begin, page.find("```", begin) - begin) +
+  const std::string page = read_file(test::source_folder() / "docs/how-to/pandas.md");
+  EXPECT_EQ(python(test::code_of(page, "python") +
                    "assert len(remnants) == 6\n"
+                   "import os; assert os.path.getsize('map.png') > 1000\n"
                    "assert len(pandas.read_json('table.json', orient='table')) == 6\n"),
             0)
       << read_file(folder / "python.out");

@@ -9,8 +9,8 @@
 
 #include "solver/base/file.hpp"
 
-// Turns the records of `make validate` into docs/validation.md and docs/stability.md.
-// usage: eerie_report RECORDS DOCS
+// Turns the records of `make validate` into docs/notebook/validation.md and
+// docs/notebook/stability.md. usage: eerie_report RECORDS DOCS
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -22,26 +22,47 @@ struct Page {
 };
 const Page pages[] = {
     {"validation",
-     "# What is proven, and how well\n\nMade by `make validate`; do not edit. Each entry is a "
-     "test: "
-     "it says what is compared with what, what came out, which values are allowed and why. Entries "
-     "marked *noted* are results that one would wish otherwise; they are said, not hidden. Quick "
-     "forms of the proofs run in `make test`.\n"},
+     "# What is proven, and how well?\n\n**Question.** Does the solver solve its equations, and do "
+     "impacts come out as published?\n\n**Answer.** {}\n\nMade by `make validate`; do not edit. "
+     "Each entry is a test: what is compared with what, what came out, which values are allowed "
+     "and why. What is *noted* one would wish otherwise. Quick forms of the proofs run in `make "
+     "test`.\n"},
     {"stability",
-     "# Where methods fail\n\nMade by `make validate`; do not edit. For each knob of the method: "
-     "what breaks first when it is turned too far, how that shows, where the default stands and "
-     "with what margin. A scene that crosses one of these lines is refused, or runs with a warning "
+     "# Where do methods fail?\n\n**Question.** Which knob of the method breaks what, and how far "
+     "from that is the default?\n\n**Answer.** {}\n\nMade by `make validate`; do not edit. For "
+     "each knob: what breaks first when it is turned too far, and how that shows. A scene that "
+     "crosses one of these lines is refused, or runs with a warning "
      "(`solver/scene/guards.cpp`).\n"}};
 
-std::string line_of(const json& block) {
+/// `reason` is that of the line before, and becomes that of this one.
+std::string line_of(const json& block, std::string& reason) {
+  const bool same = block["reason"] == reason && !reason.empty();
+  reason = block["reason"];
+  const std::string shown = same ? "as above" : reason;
   if (block["kind"] == "check")
-    return fmt::format(
-        "| {} | {:.4g} | {:.4g} to {:.4g} | {} | {} |\n", block["what"].get<std::string>(),
-        block["value"].get<double>(), block["lo"].get<double>(), block["hi"].get<double>(),
-        block["passed"].get<bool>() ? "yes" : "**no**", block["reason"].get<std::string>());
+    return fmt::format("| {} | {:.4g} | {:.4g} to {:.4g} | {} | {} |\n",
+                       block["what"].get<std::string>(), block["value"].get<double>(),
+                       block["lo"].get<double>(), block["hi"].get<double>(),
+                       block["passed"].get<bool>() ? "yes" : "**no**", shown);
   return fmt::format("| {} | {:.4g} | {} | *noted* | {} |\n", block["what"].get<std::string>(),
-                     block["value"].get<double>(), block["wish"].get<std::string>(),
-                     block["reason"].get<std::string>());
+                     block["value"].get<double>(), block["wish"].get<std::string>(), shown);
+}
+
+/// One line for each entry: how many of its checks hold, and what is noted.
+std::string summary(const std::vector<json>& records) {
+  std::string out = "\n| entry | checks that hold | noted |\n|---|---|---|\n";
+  for (const json& record : records) {
+    int checks = 0, held = 0, notes = 0;
+    for (const json& block : record["blocks"]) {
+      if (block["kind"] == "note") ++notes;
+      if (block["kind"] != "check") continue;
+      ++checks;
+      if (block["passed"].get<bool>()) ++held;
+    }
+    out += fmt::format("| {} | {} of {} | {} |\n", record["title"].get<std::string>(), held, checks,
+                       notes == 0 ? "" : std::to_string(notes));
+  }
+  return out;
 }
 
 std::string row_of(const json& cells) {
@@ -54,6 +75,7 @@ std::string section(const json& record, const std::string& page) {
   std::string out = fmt::format("\n## {}\n\n{}\n\n", record["title"].get<std::string>(),
                                 record["text"].get<std::string>());
   bool in_checks = false;
+  std::string reason;
   for (const json& block : record["blocks"]) {
     const std::string kind = block["kind"];
     const bool is_line = kind == "check" || kind == "note";
@@ -61,7 +83,8 @@ std::string section(const json& record, const std::string& page) {
       out += "| quantity | measured | allowed | holds | reason |\n|---|---|---|---|---|\n";
     if (!is_line && in_checks) out += "\n";
     in_checks = is_line;
-    if (is_line) out += line_of(block);
+    if (!is_line) reason.clear();
+    if (is_line) out += line_of(block, reason);
     if (kind == "text") out += block["text"].get<std::string>() + "\n\n";
     if (kind == "figure")
       out +=
@@ -96,13 +119,14 @@ int main(int argc, char** argv) {
     auto& found = by_page[page.name];
     std::sort(found.begin(), found.end(),
               [](const json& a, const json& b) { return a["order"] < b["order"]; });
-    std::string text = page.preamble, failures;
+    std::string failures;
     for (const json& record : found)
       if (!record["passed"].get<bool>())
-        failures += fmt::format("- {}\n", record["title"].get<std::string>());
-    text += failures.empty()
-                ? fmt::format("\nAll {} entries are within their bounds.\n", found.size())
-                : fmt::format("\n**Out of bounds:**\n\n{}", failures);
+        failures += (failures.empty() ? "" : "; ") + record["title"].get<std::string>();
+    const std::string answer =
+        failures.empty() ? fmt::format("All {} entries are within their bounds.", found.size())
+                         : fmt::format("**Out of bounds:** {}.", failures);
+    std::string text = fmt::format(fmt::runtime(page.preamble), answer) + summary(found);
     const fs::path figures = docs / "figures" / page.name;
     fs::create_directories(figures);
     for (const json& record : found) {

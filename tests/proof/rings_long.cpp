@@ -32,7 +32,7 @@ TEST(RubberRingsLong, BounceAndStayWholeWithArtificialStressOnly) {
   record.noted(
       "with artificial stress 0.3, half a ring against walls: connected pieces", weak.pieces, "1",
       "so 0.5 and h = 1.5 spacings were chosen after trying h from 1.2 to 1.8 and strengths from 0 "
-      "to 0.8; 0.3 is enough in two dimensions with h = 1.3 to 1.5 spacings (Gray, Monaghan & "
+      "to 0.8. With h = 1.3 to 1.5 spacings 0.3 is enough in two dimensions (Gray, Monaghan & "
       "Swift "
       "2001); a cubic lattice between slip walls has further directions to clump in");
   const RingsOutcome half =

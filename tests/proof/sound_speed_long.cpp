@@ -12,7 +12,7 @@ namespace {
 TEST(ReducedSoundSpeed, ChangesTheRemnantOnlyWhenTheImpactIsFastForIt) {
   Record record("validation", 70, "Reduced elastic moduli (the paper's Appendix A)",
                 "The reference impact (1,000 particles per target, two seeds, to 3e4 s) with A = B "
-                "and G scaled together, so that the bulk sound speed runs from 1 to 9.9 m/s; the "
+                "and G scaled together, so that the bulk sound speed runs from 1 to 9.9 m/s. The "
                 "paper uses 3.14 m/s and finds in its Appendix A that ten times larger moduli (9.9 "
                 "m/s) change nothing. Viscous pressure grows with the sound speed, so a stiffer "
                 "body is a more viscous one as long as alpha h c is not small.");

@@ -116,7 +116,7 @@ TEST(TimeStep, BlowsUpWhereElasticSurfacesStiffenIt) {
       "has none below the largest cfl that a scene may ask for (1.5), since its surface carries no "
       "stress. With the gradient corrected in rate and force the shortest waves of a surface are "
       "faster by the largest eigenvalue of L (2 on a face, 3.5 at a corner), and the step is "
-      "shortened by it; without that the boundary would lie between 0.25 and 0.5.");
+      "shortened by it. Without that the boundary would lie between 0.25 and 0.5.");
   Figure figure{
       "cfl-elastic",
       "Error of the radius of a turning elastic sphere",

@@ -23,7 +23,7 @@ TEST(TensionLong, StrengthFollowsTheRateWhereSeveralFlawsOfAParticleAreActive) {
       "several flaws of each particle are active, D^(1/3) grows with n^(1/3) c_g/R_s and the "
       "largest mean tension in the middle of the cube follows rate^(3/(m + 3)) = rate^(1/4), "
       "whatever the particles. One series takes particles as large as that needs (three active "
-      "flaws each, so 0.3 m at 1/s and 0.3 mm at 1e4/s); the other takes one cube of 14^3 "
+      "flaws each, so 0.3 m at 1/s and 0.3 mm at 1e4/s). The other takes one cube of 14^3 "
       "particles of 9.7 mm to rates where the law must bend.");
   Curve fitted{"particles that fit the rate", {}, {}, "points pt 7 ps 0.6"},
       fixed{"one cube", {}, {}, "points pt 6 ps 0.6"},

@@ -23,8 +23,10 @@ TEST(WavesLong, SodTubeConvergesToTheExactSolution) {
       "Sod's (1978) tube, gamma 1.4, density 8:1 and pressure 10:1, as two cubic lattices of equal "
       "particles between slip walls, integrated energy, evolving h; against the exact solution "
       "(Toro 2009). Errors are means over the volume, in units of the density and pressure of the "
-      "dense gas and of the velocity between the waves. h is 1.6 spacings: the rarefaction pulls "
-      "the lattice apart in one direction only, to 1.6 h where h is 1.2 spacings. It was "
+      "dense gas and of the velocity between the waves. The smoothing length h is 1.6 spacings: "
+      "the "
+      "rarefaction pulls the lattice apart in one direction only, to 1.6 h where h is 1.2 "
+      "spacings. It was "
       "chosen after trying 1.2 to 1.8 spacings, two kernels and disordered lattices: the error in "
       "density at 100 particles went from 0.011, as here, to 0.04.");
   std::vector<Sod> runs;

@@ -81,11 +81,11 @@ TEST(ConvergencePage, SaysFromWhichParticleNumberOnASchemeIsRight) {
 }
 
 TEST(ConvergencePage, SaysWhereSeedsScatterMoreThanWhatIsAskedFor) {
-  const char* chance = "by chance, perhaps: the means of b/a are known to 0.08";
+  const char* chance = "By chance, perhaps: the means of b/a are known to 0.08";
   EXPECT_THAT(page_of({cell("dual", 1000, {0.4, 0.6}), cell("dual", 20000, {0.45, 0.55})}),
               HasSubstr(chance));
   EXPECT_THAT(page_of({cell("dual", 1000, {0.50, 0.51}), cell("dual", 20000, {0.50, 0.51})}),
-              Not(HasSubstr("by chance")));
+              Not(HasSubstr("By chance")));
 }
 
 }  // namespace

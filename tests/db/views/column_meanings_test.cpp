@@ -51,7 +51,7 @@ TEST_F(ColumnMeanings, AreWordsWhereTheTableHoldsText) {
 }
 
 TEST_F(ColumnMeanings, AreInTheDocumentationWithNameAndUnit) {
-  const std::string page = read_file(test::source_folder() / "docs/database.md");
+  const std::string page = read_file(test::source_folder() / "docs/reference/database.md");
   for (const View view : views)
     for (const ViewColumn& column : columns(connection, view))
       EXPECT_THAT(page, testing::HasSubstr("`" + column.name + "`")) << name(view_names, view);

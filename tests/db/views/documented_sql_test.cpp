@@ -6,23 +6,11 @@
 #include "solver/base/file.hpp"
 #include "tests/db/jobs/sample_jobs.hpp"
 #include "tests/io/snapshot_fixture.hpp"
+#include "tests/support/markdown.hpp"
 #include "tests/support/paths.hpp"
 
 namespace eerie::db {
 namespace {
-
-/// The ```sql blocks of a Markdown file.
-std::vector<std::string> sql_blocks(const std::string& markdown) {
-  const std::string open = "```sql\n", close = "```";
-  std::vector<std::string> blocks;
-  for (std::size_t at = markdown.find(open); at != std::string::npos;
-       at = markdown.find(open, at)) {
-    const std::size_t begin = at + open.size();
-    at = markdown.find(close, begin);
-    blocks.push_back(markdown.substr(begin, at - begin));
-  }
-  return blocks;
-}
 
 TEST(DocumentedSql, RunsAndFindsTheResultsThatAreThere) {
   const test::TemporaryFolder folder;
@@ -49,7 +37,8 @@ TEST(DocumentedSql, RunsAndFindsTheResultsThatAreThere) {
                                       .y_m = -400,
                                       .z_m = 0}});
 
-  const auto blocks = sql_blocks(read_file(test::source_folder() / "docs/database.md"));
+  const auto blocks =
+      test::code_blocks(read_file(test::source_folder() / "docs/how-to/pandas.md"), "sql");
   EXPECT_GE(blocks.size(), 7u);
   SQLite::Database sql(folder / "a.sqlite");
   for (const std::string& block : blocks) {
