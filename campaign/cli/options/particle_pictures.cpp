@@ -75,7 +75,7 @@ Table draw_picture(const PictureArguments& a, const std::vector<double>& times,
   const std::vector<std::size_t> chosen =
       times.empty() ? job_folder::telling(series) : job_folder::nearest(series, times);
   pictures.choose_frame(chosen, a.width, 1);
-  make_folder_of(a.picture);
+  text::require_folder_of(a.picture);
   pictures::draw_panels(a.picture, pictures.figure(chosen));
   return table_of_panels(times, chosen, pictures);
 }
@@ -84,7 +84,7 @@ void draw_film(const PictureArguments& a, run_pictures::RunPictures& pictures) {
   std::vector<std::size_t> all(pictures.series().size());
   for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
   pictures.choose_frame(all, a.width, 0.9);
-  make_folder_of(a.film);
+  text::require_folder_of(a.film);
   pictures::make_movie(a.film, all.size(), a.frames_per_s,
                        [&](std::size_t k) { return pictures.figure({k}, k); });
 }

@@ -86,7 +86,7 @@ std::vector<fs::path> write_all(const DiskArguments& a, const db::Range& r_au,
   const disk::DiskFigure stirring = stirring_figure(law, a.body, a.stirrers(), low, high);
   std::vector<fs::path> files = {a.folder / "numbers.csv", a.folder / "turbulence.csv",
                                  a.folder / "stirring.csv"};
-  make_folder_of(files[0]);
+  text::make_given_folder(a.folder);
   install_text(files[0], published_numbers_csv(numbers));
   install_text(files[1], contours_csv(turbulence.laws, "alpha", turbulence.y_unit));
   install_text(files[2], contours_csv(stirring.laws, "stirrer_radius_km", stirring.y_unit));

@@ -37,7 +37,7 @@ std::vector<fs::path> write_figure(const fs::path& picture,
   const fs::path stem = picture.parent_path() / picture.stem();
   const std::vector<fs::path> files = {picture, stem.string() + ".csv",
                                        stem.string() + "-aspect.csv"};
-  make_folder_of(picture);
+  text::require_folder_of(picture);
   light_curve::draw_light_curve(files[0], figure);
   install_text(files[1], light_curve::light_curve_csv(figure.curve));
   install_text(files[2], light_curve::amplitudes_csv(figure.amplitudes));

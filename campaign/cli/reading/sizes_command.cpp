@@ -44,7 +44,7 @@ Answer sizes(const SizesArguments& a) {
         fmt::format("{}: no result matches; `eerie status --db {}` shows what it holds",
                     a.database.string(), a.database.string()));
   for (const fs::path& file : a.files) {
-    make_folder_of(file);
+    text::require_folder_of(file);
     if (file.extension() == ".csv")
       install_text(file, text::csv(results::table_of_steps(all)));
     else
