@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "campaign/job_folder/job_directory.hpp"
+#include "campaign/slurm/queue_text.hpp"
 
 namespace eerie::slurm {
 
@@ -23,9 +24,10 @@ struct BatchJob {
 struct Batch {
   std::filesystem::path folder;  ///< its last part is the batch's id
   std::vector<std::vector<BatchJob>> array;
-  std::optional<std::int64_t> slurm_id;         ///< nothing: not known yet
+  std::optional<SlurmJobId> slurm_id;           ///< nothing: not known yet
   std::filesystem::file_time_type submitted{};  ///< older news in a job directory are another's
 
+  std::string cluster() const { return slurm_id ? slurm_id->cluster : ""; }
   std::string id() const { return folder.filename().string(); }
   std::string name() const { return "eerie-" + id(); }  ///< of the job in Slurm
   std::filesystem::path manifest() const { return folder / "manifest.json"; }
@@ -47,7 +49,7 @@ std::string new_batch_id();
 void install_batch(Batch& batch, const std::filesystem::path& program);
 
 /// Notes under which id Slurm knows the batch.
-void install_slurm_id(Batch& batch, std::int64_t id);
+void install_slurm_id(Batch& batch, const SlurmJobId& id);
 
 /// Nothing where the folder holds no readable manifest: it was never submitted, or is over.
 std::optional<Batch> read_batch(const std::filesystem::path& folder);

@@ -20,7 +20,7 @@ struct Submission {
     unknown,  ///< may be in the queue: only squeue can tell, later
   };
   Kind kind = Kind::refused;
-  std::int64_t id = 0;
+  SlurmJobId id = {};
   std::string reason = {};  ///< where it was not accepted
 };
 
@@ -29,16 +29,18 @@ class Cluster {
  public:
   Cluster(SlurmProfile profile, Commands& commands);
 
-  /// sbatch may fail after its job was taken, so a failed one is looked up by its name.
+  /// sbatch may fail after its job was taken, so a failed one is looked up by its name. Refused is
+  /// only what Slurm turned down in words that we know: squeue may list a job late.
   Submission submit(const Batch& batch);
 
-  /// The array jobs of these names in the queue; nothing where squeue does not answer, which says
-  /// nothing about the jobs.
-  std::optional<Queue> queue(const std::vector<std::string>& names);
+  /// The array jobs of these names in the queue of a cluster (empty: the one asked by default);
+  /// nothing where squeue does not answer, which says nothing about the jobs.
+  std::optional<Queue> queue(const std::vector<std::string>& names,
+                             const std::string& cluster = "");
 
   /// Cancels these array tasks; where `pending_only`, those that have not started. False where
   /// Slurm did not take it.
-  bool cancel(std::int64_t id, const std::vector<int>& indices, bool pending_only);
+  bool cancel(const SlurmJobId& id, const std::vector<int>& indices, bool pending_only);
 
   /// Array tasks that one job may have.
   std::size_t array_size();
