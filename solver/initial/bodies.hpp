@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "solver/particles/state.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/step/solver.hpp"
@@ -11,7 +13,8 @@ namespace eerie::initial {
 /// balance. Between two cycles it may be put away and gone on with: the same bits come out.
 class Settling {
  public:
-  Settling(const Scene& scene, particles::Body body);
+  /// Throws PackingStopped where `stop` says so while particles are packed.
+  Settling(const Scene& scene, particles::Body body, const std::function<bool()>& stop = {});
   /// Goes on with what solver() was.
   Settling(const Scene& scene, particles::Body body, step::Solver begun);
 
