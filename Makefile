@@ -4,7 +4,7 @@ BUILD ?= build
 JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
 .PHONY: help run build test validate reference bench scale settled results test-faults sanitize odr fuzz format tidy clean packages-run packages-test packages-fuzz
-FUZZ_SECONDS ?= 60
+FUZZ_SECONDS ?= 600
 
 help:   ## this list
 	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 14
@@ -60,10 +60,10 @@ results: build  ## the surveys beside the paper's Figs. 2b and 4 (2 core-hours):
 	@for s in fig2a fig2b fig4 phi30 fig6 q025; do $(BUILD)/eerie run sweeps/table2-$$s.json --fidelity sketch --db $(BUILD)/results/table2.sqlite || exit 1; done
 	@EERIE=$(BUILD)/eerie docs/notebook/results/make.sh $(BUILD)/results
 
-test-faults: packages-test  ## kill, damage and starve campaigns (15 minutes): 200 kills, every named point
+test-faults: packages-test  ## kill, damage and starve campaigns (30 minutes): 1,000 kills, 400 power cuts, every named point
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON > /dev/null
 	@cmake --build $(BUILD) -j $(JOBS) --target eerie eerie_fault
-	@EERIE_FAULT_KILLS=200 EERIE_FAULT_PASSINGS=3 EERIE_FAULT_ROUNDS=20 \
+	@EERIE_FAULT_KILLS=1000 EERIE_FAULT_POWER_CUTS=400 EERIE_FAULT_PASSINGS=3 EERIE_FAULT_ROUNDS=20 \
 	  ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -L fault
 
 sanitize: packages-test  ## unit and fault tests under ASan and UBSan, those of threads under TSan (two more builds)
@@ -81,19 +81,11 @@ odr: packages-test  ## build the program as a whole (-flto -Wodr); two definitio
 	  -DCMAKE_CXX_FLAGS="-flto -Wodr -Werror=odr -Werror=lto-type-mismatch" > /dev/null
 	@cmake --build $(BUILD)-odr -j $(JOBS) --target eerie -- --quiet
 
-fuzz: packages-fuzz  ## throw mutated files at every reader, FUZZ_SECONDS (60) each; needs clang
+fuzz: packages-fuzz  ## throw mutated files at every reader, FUZZ_SECONDS (600) each, JOBS at a time; needs clang
 	@cmake -S . -B $(BUILD)-fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DEERIE_FUZZERS=ON > /dev/null
 	@cmake --build $(BUILD)-fuzz -j $(JOBS)
 	@grep -oh '"[A-Za-z_0-9.-]*"' solver/scene/scene.schema.json campaign/sweeps/sweep.schema.json | sort -u > $(BUILD)-fuzz/words.dict
-	@for reader in sweep scene result checkpoint catalogue; do \
-	  mkdir -p $(BUILD)-fuzz/corpus/$$reader && \
-	  $(BUILD)-fuzz/tests/fuzz/fuzz_$$reader -max_total_time=$(FUZZ_SECONDS) -timeout=20 -rss_limit_mb=4096 \
-	    -dict=$(BUILD)-fuzz/words.dict \
-	    -print_final_stats=1 -artifact_prefix=$(BUILD)-fuzz/$$reader- $(BUILD)-fuzz/corpus/$$reader \
-	    tests/fuzz/corpus/$$reader > $(BUILD)-fuzz/$$reader.log 2>&1 || \
-	    { tail -n 40 $(BUILD)-fuzz/$$reader.log; exit 1; }; \
-	  echo "$$reader: $$(sed -n 's/^stat::number_of_executed_units: *//p' $(BUILD)-fuzz/$$reader.log) files, none got through"; \
-	done
+	@printf '%s\n' sweep scene result checkpoint catalogue | xargs -n 1 -P $(JOBS) tests/fuzz/run.sh $(BUILD)-fuzz $(FUZZ_SECONDS)
 
 format:  ## lay out the sources with clang-format
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

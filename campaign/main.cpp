@@ -1,5 +1,8 @@
+#include <string_view>
+
 #include "campaign/cli/cli.hpp"
 #include "campaign/process/cpu.hpp"
+#include "campaign/process/openmp.hpp"
 #include "campaign/process/unread_stderr.hpp"
 
 #ifdef __AVX2__
@@ -23,8 +26,14 @@ constexpr bool avx512vbmi2 = true;
 constexpr bool avx512vbmi2 = false;
 #endif
 
+/// All others compute in their own threads, bound or not as the user says.
+bool starts_workers(std::string_view command) {
+  return command == "run" || command == "daemon" || command == "converge" || command == "chart";
+}
+
 int main(int argc, char** argv) {
   eerie::process::require_cpu(avx2, fma, avx512f, avx512vbmi2);
+  eerie::process::prepare_openmp(argv, argc > 1 && starts_workers(argv[1]));
   eerie::process::let_stderr_go_unread();
   return eerie::cli::main(argc, argv);
 }

@@ -42,9 +42,12 @@ manager::Tally run_auto(db::Connection& connection, AutoFidelity& campaign, cons
     if (wanted.empty()) break;
     std::vector<Scene> scenes;
     for (const Wanted& run : wanted) scenes.push_back(run.scene);
-    const db::AddedSweep added =
-        db::add_sweep(connection, plan.name, plan.document, sweeps::identify(scenes));
-    if (plan.retry_failed && round == 1) db::retry_failed(connection, added.sweep);
+    const db::AddedSweep added = manager::add_when_free(connection, observer, [&] {
+      const db::AddedSweep sweep =
+          db::add_sweep(connection, plan.name, plan.document, sweeps::identify(scenes));
+      if (plan.retry_failed && round == 1) db::retry_failed(connection, sweep.sweep);
+      return sweep;
+    });
     last = manager::tally(connection, added.sweep);
     if (last.left == 0) break;  // what is wanted has failed before
     AutoRound begun{round, std::vector<std::size_t>(campaign.rungs().size()), last.left};

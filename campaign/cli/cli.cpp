@@ -8,6 +8,7 @@
 
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/job_folder/provenance.hpp"
+#include "campaign/manager/patience.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/simd.hpp"
 
@@ -157,10 +158,12 @@ void require_command(int argc, char** argv) {
   throw InputError(fmt::format("there is no command \"{}\"; the commands are {}", argv[1], names));
 }
 
-int complaint(const char* text, ExitCode code) {
+int complaint(const char* text, int code) {
   complain(std::string("eerie: ") + text);
-  return static_cast<int>(code);
+  return code;
 }
+
+int complaint(const char* text, ExitCode code) { return complaint(text, static_cast<int>(code)); }
 
 /// Adds all commands; the one that is given sets `chosen`, and the format of the output.
 void add_commands(CLI::App& app, Action& chosen, Output& out) {
@@ -213,6 +216,8 @@ int run_command(int argc, char** argv, Output& out) {
     return exit_of_parser(app, error, out);
   } catch (const InputError& error) {
     return complaint(error.what(), ExitCode::bad_input);
+  } catch (const manager::StoppedBefore& error) {
+    return complaint(error.what(), stopped_by_signal);
   } catch (const NumericalError& error) {
     return complaint(error.what(), ExitCode::job_failed);
   } catch (const std::exception& error) {

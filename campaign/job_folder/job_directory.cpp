@@ -12,6 +12,7 @@
 #include "db/store/settings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
+#include "solver/base/folders.hpp"
 
 namespace eerie::job_folder {
 namespace fs = std::filesystem;
@@ -27,11 +28,9 @@ JobFolder job_folder(const db::Connection& connection) {
 }
 
 void require_usable(const fs::path& root) {
-  std::error_code problem;
-  fs::create_directories(root, problem);
-  if (problem)
-    throw EnvironmentError(fmt::format("the folder of job directories {} cannot be made: {}",
-                                       root.string(), problem.message()));
+  make_folders(root);
+  std::error_code ignored;
+  for (const fs::path& left : half_written_files(root)) fs::remove(left, ignored);
   const fs::path probe = root / fmt::format(".probe.{}.tmp", ::getpid());
   const int descriptor = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   const int reason = errno;
@@ -47,11 +46,8 @@ void require_usable(const fs::path& root) {
 }
 
 void require_usable(const JobDirectory& directory) {
+  make_folders(directory.path);
   std::error_code problem;
-  fs::create_directories(directory.path, problem);
-  if (problem)
-    throw EnvironmentError(fmt::format("the job directory {} cannot be made: {}",
-                                       directory.path.string(), problem.message()));
   for (const fs::path& file :
        {directory.scene(), directory.worker_lock(), directory.log(), directory.heartbeat(),
         directory.progress(), directory.result(), directory.failure(), directory.ended(),

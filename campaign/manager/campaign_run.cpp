@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/manager/local_processes.hpp"
+#include "campaign/manager/patience.hpp"
 #include "campaign/manager/status_file.hpp"
+#include "campaign/process/cores.hpp"
 #include "campaign/process/signals.hpp"
-#include "db/jobs/jobs.hpp"
 
 namespace eerie::manager {
 namespace {
@@ -16,9 +16,18 @@ constexpr std::chrono::duration<double> measurement{0.4};
 
 }  // namespace
 
+db::AddedSweep add_when_free(db::Connection& connection, CampaignObserver& observer,
+                             const std::function<db::AddedSweep()>& add) {
+  db::AddedSweep added;
+  when_free(
+      connection, [&] { added = add(); },
+      [&](const std::string& reason) { observer.waits(reason); });
+  return added;
+}
+
 Split choose_split(const Share& share, const std::vector<db::Job>& pending,
                    const db::Connection& connection, CampaignObserver& observer) {
-  const std::size_t cores = usable_cores();
+  const std::size_t cores = process::usable_cores();
   const auto threads = static_cast<std::size_t>(std::max(1, share.threads_per_job));
   if (share.workers > 0)
     return {static_cast<std::size_t>(share.workers), static_cast<int>(threads), 0};

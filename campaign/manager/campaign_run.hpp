@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "campaign/manager/manager.hpp"
@@ -11,6 +12,7 @@
 #include "campaign/manager/split.hpp"
 #include "campaign/manager/throughput.hpp"
 #include "campaign/sweeps/job.hpp"
+#include "db/jobs/jobs.hpp"
 #include "db/store/connection.hpp"
 
 namespace eerie::manager {
@@ -33,15 +35,19 @@ struct Workplace {
 class CampaignObserver {
  public:
   virtual ~CampaignObserver() = default;
-  /// The splits of the cores and their speeds were measured. The first one, which is the fastest,
-  /// will be used.
+  /// The work cannot begin yet; told once.
+  virtual void waits(const std::string& /*reason*/) {}
+  /// Splits of the cores with their speeds; the first, the fastest, is taken.
   virtual void measured(std::span<const Split> /*splits*/) {}
   /// Called a few times per second.
   virtual void at_work(const CampaignView& /*view*/) {}
 };
 
-/// The split that the user wants, or the fastest one by a measurement on the longest job. Without a
-/// measurement it has many jobs of few threads.
+/// Adds a sweep, once no other program holds the database open for writing. Throws StoppedBefore.
+db::AddedSweep add_when_free(db::Connection& connection, CampaignObserver& observer,
+                             const std::function<db::AddedSweep()>& add);
+
+/// As the user says, else as measured on the longest job; without a measurement, many narrow jobs.
 Split choose_split(const Share& share, const std::vector<db::Job>& pending,
                    const db::Connection& connection, CampaignObserver& observer);
 

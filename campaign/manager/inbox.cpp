@@ -20,6 +20,7 @@
 #include "db/store/place.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
+#include "solver/base/folders.hpp"
 #include "solver/base/kill_point.hpp"
 
 namespace eerie::manager {
@@ -138,10 +139,7 @@ Inbox::Inbox(const fs::path& database)
     : database_(db::resolved(database)), folder_(database_.string() + ".inbox") {}
 
 void Inbox::put(const Request& request) const {
-  std::error_code problem;
-  fs::create_directories(folder_, problem);
-  if (problem)
-    throw EnvironmentError(fmt::format("cannot make {}: {}", folder_.string(), problem.message()));
+  make_folders(folder_);
   const FolderLock lock(folder_);
   install_text(folder_ / fmt::format("{:020d}-{}.json", next_sequence(folder_), request.id),
                to_json(request).dump() + "\n");

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sched.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/resource.h>
@@ -13,6 +12,7 @@
 #include <cstring>
 
 #include "campaign/job_folder/worker_lock.hpp"
+#include "campaign/process/environment.hpp"
 #include "campaign/process/signals.hpp"
 #include "solver/base/error.hpp"
 
@@ -99,9 +99,10 @@ pid_t LocalProcesses::spawn(const job_folder::JobDirectory& directory) const {
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const SpawnSettings settings(directory.log().string());
+  const process::Environment environment = process::environment_for_workers();
   pid_t pid = 0;
   const int status = ::posix_spawn(&pid, "/proc/self/exe", &settings.actions, &settings.attributes,
-                                   arguments.data(), environ);
+                                   arguments.data(), environment.passed_on.data());
   if (status != 0)
     throw SchedulerUnavailable(fmt::format("cannot start a worker in {}: {}",
                                            directory.path.string(), std::strerror(status)));
@@ -141,12 +142,6 @@ void LocalProcesses::stop(std::span<const Task> tasks, StopKind kind) {
       ::kill(pid, signal);
       ::kill(pid, SIGCONT);  // one that was halted cannot hear the other
     }
-}
-
-std::size_t usable_cores() {
-  cpu_set_t set;
-  if (::sched_getaffinity(0, sizeof set, &set) != 0) return 1;
-  return static_cast<std::size_t>(std::max(1, CPU_COUNT(&set)));
 }
 
 }  // namespace eerie::manager

@@ -27,7 +27,4 @@ class LocalProcesses : public Scheduler {
   std::map<pid_t, std::int64_t> jobs_;  ///< process id -> job
 };
 
-/// The number of cores that this process may use.
-std::size_t usable_cores();
-
 }  // namespace eerie::manager

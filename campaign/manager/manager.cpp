@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "campaign/manager/patience.hpp"
 #include "db/store/error.hpp"
 #include "db/store/settings.hpp"
 #include "solver/base/error.hpp"
@@ -16,9 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// While another program writes the database: a stop request is heard in between.
-constexpr auto busy_patience = std::chrono::milliseconds(500),
-               usual_patience = std::chrono::milliseconds(10'000);
 /// Before what is in the way is tried again.
 constexpr auto trouble_patience = std::chrono::seconds(1);
 /// A worker that was told to stop and has not ended by then will not.
@@ -31,20 +29,6 @@ std::vector<fs::path> disks_of(const db::Connection& connection,
   job_folder::require_usable(jobs.root);
   return {fs::absolute(connection.path()).parent_path(), jobs.root};
 }
-
-/// While it lives, the database is waited for less long.
-class LessPatience {
- public:
-  explicit LessPatience(db::Connection& connection) : connection_(connection) {
-    connection_.wait_at_most(busy_patience);
-  }
-  ~LessPatience() { connection_.wait_at_most(usual_patience); }
-  LessPatience(const LessPatience&) = delete;
-  LessPatience& operator=(const LessPatience&) = delete;
-
- private:
-  db::Connection& connection_;
-};
 
 }  // namespace
 

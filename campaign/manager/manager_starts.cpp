@@ -10,6 +10,7 @@
 #include "campaign/job_folder/result_file.hpp"
 #include "campaign/manager/attempts/half_written.hpp"
 #include "campaign/manager/manager.hpp"
+#include "campaign/manager/try_later.hpp"
 #include "db/store/error.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr auto scheduler_patience = std::chrono::seconds(10);
+constexpr std::chrono::seconds scheduler_patience{10};
 constexpr std::size_t queue_length = 256;
 
 /// A result that another solver version made is kept, under its version's name.
@@ -128,7 +129,8 @@ void Manager::start(const std::vector<db::Job>& jobs) {
   try {
     names = scheduler_.start(tasks);
   } catch (const SchedulerUnavailable& error) {
-    wait_because(error.what(), scheduler_patience);
+    const auto* later = dynamic_cast<const TryLater*>(&error);
+    wait_because(error.what(), later != nullptr ? later->patience : scheduler_patience);
     queue_.clear();
     return;
   }

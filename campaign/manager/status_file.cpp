@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/job_folder/job_directory.hpp"
+#include "campaign/text/json_text.hpp"
 #include "db/store/place.hpp"
 
 namespace eerie::manager {
@@ -27,13 +28,11 @@ void StatusFile::show(const CampaignView& view) {
   const auto now = std::chrono::steady_clock::now();
   if (now < next_) return;
   next_ = now + std::chrono::seconds(2);
-  const std::string text = json{
-      {"running", view.running},
-      {"particle_steps_per_s", view.particle_steps_per_s},
-      {"eta_s", view.eta_s},
-      {"stopping", view.stopping},
-      {"waiting_for",
-       view.waiting_for}}.dump();
+  const std::string text = text::json_text({{"running", view.running},
+                                            {"particle_steps_per_s", view.particle_steps_per_s},
+                                            {"eta_s", view.eta_s},
+                                            {"stopping", view.stopping},
+                                            {"waiting_for", view.waiting_for}});
   if (text == written_) return;
   // Renamed, so that a reader sees it whole; not flushed, for it is worthless after a power cut.
   const fs::path temporary = path_.string() + ".tmp";

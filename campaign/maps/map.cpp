@@ -13,6 +13,7 @@
 #include "campaign/maps/map_csv.hpp"
 #include "campaign/maps/settings_choice.hpp"
 #include "campaign/sweeps/job.hpp"
+#include "campaign/text/given_folder.hpp"
 #include "db/jobs/job_settings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
@@ -138,13 +139,15 @@ std::vector<fs::path> draw_sweep_maps(const db::Connection& connection, std::int
 }
 
 void require_map_files(const std::vector<fs::path>& files, const std::string& option) {
-  for (const fs::path& file : files)
+  for (const fs::path& file : files) {
     if (const std::string kind = file.extension().string();
         kind != ".png" && kind != ".svg" && kind != ".pdf" && kind != ".csv")
       throw InputError(
           fmt::format("{} {}: must end in .png, .svg or .pdf, or in .csv for the numbers alone; "
                       "for example {} map.png",
                       option, file.string(), option));
+    text::require_folder_of(file);
+  }
 }
 
 void require_one_figure(const std::vector<db::NewJob>& jobs, const std::string& option) {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "solver/base/file.hpp"
+#include "solver/base/folders.hpp"
 
 namespace eerie::slurm {
 namespace fs = std::filesystem;
@@ -66,15 +67,16 @@ std::string batch_script(const fs::path& program, const fs::path& folder) {
 }
 
 void install_batch(Batch& batch, const fs::path& program) {
-  fs::create_directories(batch.folder);
+  make_folders(batch.folder);
   install_text(batch.script(), batch_script(program, batch.folder));
   install_text(batch.manifest(), manifest_text(batch));
   batch.submitted = fs::last_write_time(batch.manifest());
 }
 
-void install_slurm_id(Batch& batch, std::int64_t id) {
+void install_slurm_id(Batch& batch, const SlurmJobId& id) {
   batch.slurm_id = id;
-  install_text(batch.slurm_id_file(), fmt::format("{}\n", id));
+  const std::string cluster = id.cluster.empty() ? "" : ";" + id.cluster;
+  install_text(batch.slurm_id_file(), fmt::format("{}{}\n", id.number, cluster));
 }
 
 std::optional<Batch> read_batch(const fs::path& folder) {
@@ -89,9 +91,9 @@ std::optional<Batch> read_batch(const fs::path& folder) {
     return std::nullopt;
   }
   batch.submitted = fs::last_write_time(batch.manifest());
-  // The file holds a number, which is JSON.
-  if (const auto id = job_folder::read_json(batch.slurm_id_file()); id && id->is_number_unsigned())
-    batch.slurm_id = id->get<std::int64_t>();
+  std::error_code ignored;
+  if (fs::is_regular_file(batch.slurm_id_file(), ignored))
+    batch.slurm_id = submitted_id(read_file(batch.slurm_id_file()));
   return batch;
 }
 

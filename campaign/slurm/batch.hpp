@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "campaign/job_folder/job_directory.hpp"
+#include "campaign/slurm/queue_text.hpp"
 
 namespace eerie::slurm {
 
@@ -23,10 +24,10 @@ struct BatchJob {
 struct Batch {
   std::filesystem::path folder;  ///< its last part is the id of the batch
   std::vector<std::vector<BatchJob>> array;
-  std::optional<std::int64_t> slurm_id;  ///< nothing while it is not known
-  /// Older files in a job directory belong to another batch.
-  std::filesystem::file_time_type submitted{};
+  std::optional<SlurmJobId> slurm_id;           ///< nothing: not known yet
+  std::filesystem::file_time_type submitted{};  ///< older news in a job directory are another's
 
+  std::string cluster() const { return slurm_id ? slurm_id->cluster : ""; }
   std::string id() const { return folder.filename().string(); }
   std::string name() const { return "eerie-" + id(); }  ///< the name of the job in Slurm
   std::filesystem::path manifest() const { return folder / "manifest.json"; }
@@ -47,8 +48,8 @@ std::string new_batch_id();
 /// Makes the folder with manifest and script, before the submission.
 void install_batch(Batch& batch, const std::filesystem::path& program);
 
-/// Stores the id of the batch in Slurm.
-void install_slurm_id(Batch& batch, std::int64_t id);
+/// Notes under which id Slurm knows the batch.
+void install_slurm_id(Batch& batch, const SlurmJobId& id);
 
 /// Reads a batch. Nothing where the folder has no readable manifest, so that the batch was never
 /// submitted, or is over.

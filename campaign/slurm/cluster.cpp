@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <unordered_set>
 
 namespace eerie::slurm {
@@ -23,6 +25,16 @@ std::string output_pattern(const Batch& batch) {
   std::string pattern;
   for (const char c : batch.folder.string()) pattern += c == '%' ? "%%" : std::string(1, c);
   return pattern + "/output_%a.txt";
+}
+
+/// Whether these are a controller's or sbatch's words for: no, and it has not been taken. Others
+/// ("Socket timed out on send/recv operation") leave open whether it was.
+bool turns_down(const std::string& complaint) {
+  constexpr std::array<std::string_view, 10> words = {
+      "nvalid",   "imit",          "enied",        "ermitted",       "ermission",
+      "disabled", "not available", "unrecognized", "not recognized", "cannot start"};
+  return std::ranges::any_of(
+      words, [&](std::string_view word) { return complaint.find(word) != std::string::npos; });
 }
 
 std::string sbatch_time(std::chrono::seconds limit) {
@@ -69,15 +81,17 @@ Submission Cluster::submit(const Batch& batch) {
     if (const auto id = submitted_id(end.out)) return {Submission::Kind::accepted, *id};
   const std::string reason = fmt::format("sbatch: {}", end.complaint());
   const auto found = queue({batch.name()});
-  if (found && !found->empty()) return {Submission::Kind::accepted, found->begin()->first};
+  if (found && !found->empty()) return {Submission::Kind::accepted, {found->begin()->first, ""}};
   // One that was killed may still be on its way to the controller.
-  const bool refused = found && !end.timed_out && !end.ok();
-  return {refused ? Submission::Kind::refused : Submission::Kind::unknown, 0, reason};
+  const bool refused = found && !end.timed_out && !end.ok() && turns_down(end.complaint());
+  return {refused ? Submission::Kind::refused : Submission::Kind::unknown, {}, reason};
 }
 
-std::optional<Queue> Cluster::queue(const std::vector<std::string>& names) {
+std::optional<Queue> Cluster::queue(const std::vector<std::string>& names,
+                                    const std::string& cluster) {
   std::vector<std::string> words = {"squeue", "--noheader", "--array", "--me",
                                     fmt::format("--format={}", queue_format)};
+  if (!cluster.empty()) words.push_back("--clusters=" + cluster);
   if (names.size() <= most_names) words.push_back(fmt::format("--name={}", fmt::join(names, ",")));
   const CommandEnd end = commands_.run(words, question_limit);
   if (!end.ok()) return std::nullopt;
@@ -87,10 +101,11 @@ std::optional<Queue> Cluster::queue(const std::vector<std::string>& names) {
   return queue;
 }
 
-bool Cluster::cancel(std::int64_t id, const std::vector<int>& indices, bool pending_only) {
+bool Cluster::cancel(const SlurmJobId& id, const std::vector<int>& indices, bool pending_only) {
   std::vector<std::string> words = {"scancel"};
   if (pending_only) words.push_back("--state=PENDING");
-  words.push_back(fmt::format("{}_[{}]", id, index_ranges(indices)));
+  if (!id.cluster.empty()) words.push_back("--clusters=" + id.cluster);
+  words.push_back(fmt::format("{}_[{}]", id.number, index_ranges(indices)));
   return commands_.run(words, question_limit).ok();
 }
 

@@ -20,8 +20,8 @@ struct Submission {
     unknown,  ///< it may be in the queue; only squeue can say that later
   };
   Kind kind = Kind::refused;
-  std::int64_t id = 0;
-  std::string reason = {};  ///< exists where it was not accepted
+  SlurmJobId id = {};
+  std::string reason = {};  ///< where it was not accepted
 };
 
 /// The needed parts of Slurm: sbatch, squeue, scancel and scontrol, without accounting.
@@ -29,17 +29,18 @@ class Cluster {
  public:
   Cluster(SlurmProfile profile, Commands& commands);
 
-  /// Submits a batch. sbatch may fail after Slurm has taken the job, so a failed submission is
-  /// looked up by its name.
+  /// sbatch may fail after its job was taken, so a failed one is looked up by its name. Refused is
+  /// only what Slurm turned down in words that we know: squeue may list a job late.
   Submission submit(const Batch& batch);
 
-  /// The array jobs of these names in the queue. Nothing where squeue does not answer, which says
-  /// nothing about the jobs.
-  std::optional<Queue> queue(const std::vector<std::string>& names);
+  /// The array jobs of these names in the queue of a cluster (empty: the one asked by default);
+  /// nothing where squeue does not answer, which says nothing about the jobs.
+  std::optional<Queue> queue(const std::vector<std::string>& names,
+                             const std::string& cluster = "");
 
-  /// Cancels these array tasks, or with `pending_only` those that have not started. Returns false
-  /// where Slurm did not accept it.
-  bool cancel(std::int64_t id, const std::vector<int>& indices, bool pending_only);
+  /// Cancels these array tasks; where `pending_only`, those that have not started. False where
+  /// Slurm did not take it.
+  bool cancel(const SlurmJobId& id, const std::vector<int>& indices, bool pending_only);
 
   /// The most array tasks of one job.
   std::size_t array_size();

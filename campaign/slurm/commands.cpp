@@ -12,28 +12,13 @@
 #include <cstring>
 #include <string_view>
 
+#include "campaign/process/environment.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::slurm {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Variables by which a user sets defaults for his own questions. Those of squeue would hide jobs
-/// from us, and a hidden job would be taken for one that is gone.
-constexpr const char* not_passed_on[] = {"SQUEUE_", "SCANCEL_", "SBATCH_WAIT="};
-
-std::vector<char*> environment() {
-  std::vector<char*> kept;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    bool pass = true;
-    for (const std::string_view start : not_passed_on)
-      if (std::string_view(*entry).starts_with(start)) pass = false;
-    if (pass) kept.push_back(*entry);
-  }
-  kept.push_back(nullptr);
-  return kept;
-}
 
 /// The reading end is ours alone.
 class Pipe {
@@ -81,9 +66,11 @@ pid_t spawn(const std::vector<std::string>& words, const Pipe& out, const Pipe& 
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  // A user's own defaults would hide jobs from us, or send them elsewhere.
+  const process::Environment environment = process::environment_for_slurm();
   pid_t pid = 0;
   problem = ::posix_spawnp(&pid, arguments[0], &actions, &attributes, arguments.data(),
-                           environment().data());
+                           environment.passed_on.data());
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   return pid;

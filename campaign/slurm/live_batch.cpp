@@ -37,7 +37,7 @@ void explain_loss(const Batch& batch, int index, const job_folder::JobDirectory&
   std::ofstream log(directory.log(), std::ios::app);
   log << fmt::format(
       "array task {}_{} left Slurm's queue without a word of this job; it said: {}\n",
-      batch.slurm_id.value_or(0), index, text.empty() ? "nothing" : text);
+      batch.slurm_id ? batch.slurm_id->number : 0, index, text.empty() ? "nothing" : text);
 }
 
 manager::WorkerEnd worker_end(std::int64_t job, const job_folder::AttemptEnded& ended) {
@@ -63,10 +63,11 @@ manager::WorkerEnd plain_end(std::int64_t job, int exit_code) {
 
 }  // namespace
 
-LiveBatch::LiveBatch(Batch batch, bool started_here)
+LiveBatch::LiveBatch(Batch batch, bool started_here, std::chrono::seconds grace)
     : batch_(std::move(batch)),
       started_here_(started_here),
       ever_seen_(batch_.slurm_id.has_value()),
+      listed_at_the_latest_(std::chrono::steady_clock::now() + grace),
       released_(read_released(batch_)),
       released_noted_(released_.size()) {
   for (const std::vector<BatchJob>& pack : batch_.array) {
@@ -75,7 +76,7 @@ LiveBatch::LiveBatch(Batch batch, bool started_here)
   }
 }
 
-void LiveBatch::note_slurm_id(std::int64_t id) {
+void LiveBatch::note_slurm_id(const SlurmJobId& id) {
   ever_seen_ = true;
   install_slurm_id(batch_, id);
 }
@@ -91,7 +92,8 @@ std::size_t LiveBatch::array_tasks_left() const {
 }
 
 void LiveBatch::see(const QueuedArray* queued) {
-  if (queued != nullptr) ever_seen_ = true;
+  if (queued != nullptr) ever_seen_ = listed_ = true;
+  const bool may_be_late = !listed_ && std::chrono::steady_clock::now() < listed_at_the_latest_;
   for (std::size_t k = 0; k < array_.size(); ++k) {
     ArrayTask& task = array_[k];
     const int index = static_cast<int>(k);
@@ -102,6 +104,7 @@ void LiveBatch::see(const QueuedArray* queued) {
       task.pending = state != queued->states.end() && state->second == "PENDING";
     } else {
       task.pending = false;
+      if (may_be_late) continue;
       task.gone = ++task.absences >= (ever_seen_ ? absences_of_the_gone : absences_of_the_unknown);
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <unordered_set>
 
@@ -27,8 +28,10 @@ class LiveBatch {
     std::optional<manager::StopKind> cancel = {};  ///< a cancellation that Slurm does not know yet
   };
 
-  /// A new submission, or one that another manager left.
-  LiveBatch(Batch batch, bool started_here);
+  /// Of a submission just made, or of one that another manager left behind. For as long as `grace`,
+  /// and until squeue lists it, an answer of squeue without it means nothing: controllers answer
+  /// from caches, and copies of them from older ones.
+  LiveBatch(Batch batch, bool started_here, std::chrono::seconds grace);
 
   const Batch& batch() const { return batch_; }
   const std::vector<ArrayTask>& array() const { return array_; }
@@ -36,7 +39,7 @@ class LiveBatch {
   bool over() const;
   std::size_t array_tasks_left() const;
 
-  void note_slurm_id(std::int64_t id);
+  void note_slurm_id(const SlurmJobId& id);
 
   /// Takes what an answer of squeue says about this batch, or nullptr where that is nothing.
   void see(const QueuedArray* queued);
@@ -60,7 +63,9 @@ class LiveBatch {
 
   Batch batch_;
   bool started_here_;
-  bool ever_seen_;  ///< Slurm has known it with certainty
+  bool ever_seen_;       ///< Slurm has certainly known it
+  bool listed_ = false;  ///< squeue has answered with it
+  std::chrono::steady_clock::time_point listed_at_the_latest_;
   std::vector<ArrayTask> array_;
   std::set<std::int64_t> released_;
   std::size_t released_noted_;  ///< how many of them are in the file

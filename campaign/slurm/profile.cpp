@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "campaign/slurm/profile_schema_text.hpp"
+#include "campaign/text/given_file.hpp"
 #include "campaign/text/json_file.hpp"
 #include "solver/base/error.hpp"
 #include "solver/scene/validate.hpp"
@@ -129,6 +130,7 @@ SlurmProfile parse_slurm_profile(const json& given, const std::string& where) {
   p.minutes_per_array_task = document.at("minutes_per_array_task");
   p.signal_before_end_s = document.at("signal_before_end_s");
   p.poll_interval_s = document.at("poll_interval_s");
+  p.listed_within_s = document.at("listed_within_s");
   if (const std::string time = one_line(document, "time", path); !time.empty()) {
     p.time_limit = parse_time_limit(time);
     if (!p.time_limit)
@@ -147,7 +149,7 @@ SlurmProfile parse_slurm_profile(const json& given, const std::string& where) {
 }
 
 SlurmProfile load_slurm_profile(const std::filesystem::path& path) {
-  return parse_slurm_profile(text::load_json(path), path.string());
+  return parse_slurm_profile(text::load_given_json(path), text::given_name(path));
 }
 
 }  // namespace eerie::slurm

@@ -21,6 +21,7 @@ struct SlurmProfile {
   double minutes_per_array_task = 15;
   int signal_before_end_s = 120;
   double poll_interval_s = 10;
+  int listed_within_s = 120;
 };
 
 /// Reads a profile. Throws InputError, which names field, value, the allowed values and the mend.

@@ -60,11 +60,13 @@ void add_indices(std::string_view text, const std::string& state, QueuedArray& a
 
 }  // namespace
 
-std::optional<std::int64_t> submitted_id(std::string_view text) {
+std::optional<SlurmJobId> submitted_id(std::string_view text) {
   text = trimmed(text);
   const std::size_t line = text.rfind('\n');
   if (line != std::string_view::npos) text = text.substr(line + 1);
-  return number<std::int64_t>(trimmed(cut(text, ';')));
+  const auto id = number<std::int64_t>(trimmed(cut(text, ';')));
+  if (!id) return std::nullopt;
+  return SlurmJobId{*id, std::string(trimmed(text))};
 }
 
 Queue parse_queue(std::string_view text) {

@@ -9,9 +9,17 @@
 
 namespace eerie::slurm {
 
-/// The job id in the output of `sbatch --parsable`, "1234" or "1234;cluster"; nothing where there
-/// is none. Lines before the last are greetings of a site.
-std::optional<std::int64_t> submitted_id(std::string_view text);
+/// A job as sbatch names it.
+struct SlurmJobId {
+  std::int64_t number = 0;
+  std::string cluster = {};  ///< empty: the one that commands ask without being told
+
+  bool operator==(const SlurmJobId&) const = default;
+};
+
+/// The job in what `sbatch --parsable` prints, "1234" or "1234;cluster"; nothing where there is
+/// none. Lines before the last are a site's greetings.
+std::optional<SlurmJobId> submitted_id(std::string_view text);
 
 /// One array job in the output of squeue.
 struct QueuedArray {

@@ -1,6 +1,7 @@
 #include "campaign/slurm/slurm_scheduler.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 
 #include "campaign/job_folder/worker_exit.hpp"
 #include "campaign/job_folder/worker_lock.hpp"
+#include "campaign/manager/try_later.hpp"
+#include "campaign/process/environment.hpp"
 #include "campaign/process/signals.hpp"
 #include "campaign/slurm/packing.hpp"
 #include "solver/base/error.hpp"
@@ -71,6 +74,9 @@ SlurmScheduler::SlurmScheduler(SlurmProfile profile, const fs::path& jobs_folder
       program_(std::move(program)),
       commands_(std::move(commands)),
       cluster_(profile_, *commands_) {
+  if (const auto names = process::environment_for_slurm().left_out; !names.empty())
+    spdlog::warn("event=environment message=\"not passed on to Slurm and workers: {}\"",
+                 fmt::join(names, " "));
   adopt_batches();
 }
 
@@ -82,7 +88,7 @@ void SlurmScheduler::adopt_batches() {
   std::ranges::sort(folders);
   for (const fs::path& folder : folders) {
     if (auto batch = read_batch(folder)) {
-      live_.emplace_back(std::move(*batch), false);
+      live_.emplace_back(std::move(*batch), false, grace());
       hold(live_.back());
     } else if (!fs::exists(folder / "manifest.json")) {
       fs::remove_all(folder, none);  // the rest of one that was being made or removed
@@ -112,15 +118,16 @@ std::size_t SlurmScheduler::free_slots() {
   }
   const std::size_t free = room - std::min(room, queued);
   const bool trickle = queued > 0 && 4 * free < room;
-  return trickle ? 0 : std::min(free, cluster_.array_size());
+  if (trickle || Clock::now() < refused_until_) return 0;
+  return std::min(free, largest_array());
 }
 
 std::vector<std::string> SlurmScheduler::start(std::span<const manager::Task> tasks) {
   const std::vector<std::vector<manager::Task>> packs = packed(tasks, pack_core_seconds(profile_));
   std::unordered_map<std::int64_t, std::string> names;
-  for (std::size_t first = 0; first < packs.size(); first += cluster_.array_size()) {
-    const auto chunk =
-        std::span(packs).subspan(first, std::min(cluster_.array_size(), packs.size() - first));
+  const std::size_t most = largest_array();
+  for (std::size_t first = 0; first < packs.size(); first += most) {
+    const auto chunk = std::span(packs).subspan(first, std::min(most, packs.size() - first));
     const std::vector<std::string> chunk_names = submit(chunk, first == 0);
     for (std::size_t k = 0; k < chunk.size(); ++k)
       for (const manager::Task& task : chunk[k]) names[task.job] = chunk_names[k];
@@ -135,24 +142,51 @@ std::vector<std::string> SlurmScheduler::submit(std::span<const std::vector<mana
   Batch batch = batch_of(jobs_folder_, packs);
   install_batch(batch, program_);
   const Submission submission = cluster_.submit(batch);
-  const bool accepted = submission.kind == Submission::Kind::accepted;
-  const bool refused = submission.kind == Submission::Kind::refused;
-  if (refused) {
+  const bool is_accepted = submission.kind == Submission::Kind::accepted;
+  const bool is_refused = submission.kind == Submission::Kind::refused;
+  if (is_refused) {
     remove_batch(batch);
+    refused(packs.size());
   } else {
-    live_.emplace_back(std::move(batch), accepted || !first);
+    live_.emplace_back(std::move(batch), is_accepted || !first, grace());
     hold(live_.back());
-    if (accepted) live_.back().note_slurm_id(submission.id);
   }
-  if (first && !accepted) throw manager::SchedulerUnavailable(submission.reason);
+  if (is_accepted) {
+    live_.back().note_slurm_id(submission.id);
+    accepted();
+  }
+  if (first && is_refused)
+    throw manager::TryLater(fmt::format("{}; tried again after {} s with {} array tasks at most",
+                                        submission.reason, patience_.count(), array_limit_),
+                            patience_);
+  if (first && !is_accepted) throw manager::TryLater(submission.reason, grace());
   // What was submitted before stays so; these come back as stopped before they began.
-  if (refused)
+  if (is_refused)
     for (const std::vector<manager::Task>& pack : packs)
       for (const manager::Task& task : pack) ended_.push_back(never_started(task.job));
   std::vector<std::string> names;
   for (std::size_t k = 0; k < packs.size(); ++k)
-    names.push_back(accepted ? fmt::format("slurm {}_{}", submission.id, k) : "slurm");
+    names.push_back(is_accepted ? fmt::format("slurm {}_{}", submission.id.number, k) : "slurm");
   return names;
+}
+
+/// A limit on the jobs of a user or an account ends with time, or never where one submission is
+/// above it: so later and less.
+void SlurmScheduler::refused(std::size_t array_tasks) {
+  constexpr std::chrono::seconds first{10}, longest{600};
+  patience_ = std::clamp(2 * patience_, first, longest);
+  refused_until_ = Clock::now() + patience_;
+  array_limit_ = std::max<std::size_t>(1, array_tasks / 2);
+}
+
+void SlurmScheduler::accepted() {
+  patience_ = std::chrono::seconds(0);
+  array_limit_ *= 2;
+  if (array_limit_ >= cluster_.array_size()) array_limit_ = 0;
+}
+
+std::size_t SlurmScheduler::largest_array() {
+  return array_limit_ > 0 ? std::min(array_limit_, cluster_.array_size()) : cluster_.array_size();
 }
 
 bool SlurmScheduler::holds(const manager::Task& task) {
@@ -170,37 +204,54 @@ std::vector<manager::WorkerEnd> SlurmScheduler::wait(std::chrono::milliseconds l
 }
 
 void SlurmScheduler::refresh() {
-  const auto now = Clock::now();
-  if (live_.empty() || now < next_poll_) return;
-  std::vector<std::string> names;
-  for (const LiveBatch& batch : live_) names.push_back(batch.batch().name());
-  const auto queue = cluster_.queue(names);
-  if (queue.has_value() == squeue_is_silent_) {
-    squeue_is_silent_ = !queue.has_value();
-    if (squeue_is_silent_)
-      spdlog::warn(
-          "event=squeue-silent batches={} message=\"jobs go on; nothing is concluded but "
-          "from their files\"",
-          live_.size());
-    else
-      spdlog::info("event=squeue-answers");
+  if (live_.empty() || Clock::now() < next_poll_) return;
+  const Answers answers = ask_queues();
+  for (LiveBatch& batch : live_)
+    if (const auto& queue = answers.at(batch.batch().cluster())) show_queue(batch, *queue);
+  forget_what_is_over(answers);
+  send_cancellations();
+  // Counted from the end: a controller that takes long to answer is not asked without a pause.
+  next_poll_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                  std::chrono::duration<double>(profile_.poll_interval_s));
+}
+
+SlurmScheduler::Answers SlurmScheduler::ask_queues() {
+  std::map<std::string, std::vector<std::string>> names;
+  for (const LiveBatch& batch : live_)
+    names[batch.batch().cluster()].push_back(batch.batch().name());
+  Answers answers;
+  bool silent = false;
+  for (const auto& [cluster, of_cluster] : names) {
+    answers[cluster] = cluster_.queue(of_cluster, cluster);
+    silent |= !answers[cluster].has_value();
   }
-  if (queue) {
-    std::unordered_map<std::string, Queue::const_iterator> by_name;
-    for (auto entry = queue->begin(); entry != queue->end(); ++entry)
-      by_name.emplace(entry->second.name, entry);
-    for (LiveBatch& batch : live_) {
-      const auto found = by_name.find(batch.batch().name());
-      if (found == by_name.end()) {
-        batch.see(nullptr);
-        continue;
-      }
-      if (!batch.batch().slurm_id) batch.note_slurm_id(found->second->first);
-      batch.see(&found->second->second);
-    }
-  }
+  note_silence(silent);
+  return answers;
+}
+
+void SlurmScheduler::note_silence(bool silent) {
+  if (silent == squeue_is_silent_) return;
+  squeue_is_silent_ = silent;
+  if (silent)
+    spdlog::warn(
+        "event=squeue-silent batches={} message=\"jobs go on; nothing is concluded but from their "
+        "files\"",
+        live_.size());
+  else
+    spdlog::info("event=squeue-answers");
+}
+
+void SlurmScheduler::show_queue(LiveBatch& batch, const Queue& queue) {
+  const auto found = std::ranges::find_if(
+      queue, [&](const auto& entry) { return entry.second.name == batch.batch().name(); });
+  if (found == queue.end()) return batch.see(nullptr);
+  if (!batch.batch().slurm_id) batch.note_slurm_id({found->first, ""});
+  batch.see(&found->second);
+}
+
+void SlurmScheduler::forget_what_is_over(const Answers& answers) {
   for (auto batch = live_.begin(); batch != live_.end();) {
-    release(*batch, batch->newly_over(queue.has_value()));
+    release(*batch, batch->newly_over(answers.at(batch->batch().cluster()).has_value()));
     if (batch->over()) {
       remove_batch(batch->batch());
       batch = live_.erase(batch);
@@ -208,10 +259,6 @@ void SlurmScheduler::refresh() {
       ++batch;
     }
   }
-  send_cancellations();
-  // Counted from the end: a controller that takes long to answer is not asked without a pause.
-  next_poll_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                  std::chrono::duration<double>(profile_.poll_interval_s));
 }
 
 void SlurmScheduler::release(const LiveBatch& batch, const std::vector<manager::WorkerEnd>& ends) {

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <list>
+#include <map>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
 #include "campaign/manager/scheduler.hpp"
@@ -11,9 +13,9 @@
 
 namespace eerie::slurm {
 
-/// Runs workers as array tasks of a Slurm cluster (docs/how-to/slurm.md). The folder of a submission has
-/// everything about it and is written before sbatch is called. So a manager that was killed at any
-/// instant finds its jobs again and submits none twice.
+/// Runs workers as array tasks of a Slurm cluster (docs/how-to/slurm.md). The folder of a
+/// submission has everything about it and is written before sbatch is called. So a manager that was
+/// killed at any instant finds its jobs again and submits none twice.
 class SlurmScheduler : public manager::Scheduler {
  public:
   /// Takes over the batches that an earlier manager left in `jobs_folder`, which nodes must see
@@ -40,7 +42,17 @@ class SlurmScheduler : public manager::Scheduler {
   void hold(const LiveBatch& batch);
   void release(const LiveBatch& batch, const std::vector<manager::WorkerEnd>& ends);
   std::vector<std::string> submit(std::span<const std::vector<manager::Task>> packs, bool first);
+  void refused(std::size_t array_tasks);
+  void accepted();
+  std::size_t largest_array();
+  std::chrono::seconds grace() const { return std::chrono::seconds(profile_.listed_within_s); }
+
+  using Answers = std::map<std::string, std::optional<Queue>>;  ///< by cluster; nothing: silence
   void refresh();
+  Answers ask_queues();
+  static void show_queue(LiveBatch& batch, const Queue& queue);
+  void note_silence(bool silent);
+  void forget_what_is_over(const Answers& answers);
   void send_cancellations();
 
   SlurmProfile profile_;
@@ -48,9 +60,11 @@ class SlurmScheduler : public manager::Scheduler {
   std::shared_ptr<Commands> commands_;
   Cluster cluster_;
   std::list<LiveBatch> live_;
-  std::unordered_map<std::string, int> held_;  ///< job directory -> number of batches that have it
-  std::vector<manager::WorkerEnd> ended_;      ///< ends that are not reported yet
-  Clock::time_point next_poll_{};
+  std::unordered_map<std::string, int> held_;  ///< job directory -> batches that hold it
+  std::vector<manager::WorkerEnd> ended_;      ///< not reported yet
+  Clock::time_point next_poll_{}, refused_until_{};
+  std::chrono::seconds patience_{0};  ///< after the last refusals; 0: the last one was accepted
+  std::size_t array_limit_ = 0;  ///< of array tasks, where larger submissions were refused; 0: none
   bool squeue_is_silent_ = false;
 };
 

@@ -7,6 +7,7 @@
 
 #include "campaign/studies/convergence_study_schema_text.hpp"
 #include "campaign/sweeps/scene_field.hpp"
+#include "campaign/text/given_file.hpp"
 #include "campaign/text/json_file.hpp"
 #include "campaign/text/plain_name.hpp"
 #include "solver/base/error.hpp"
@@ -110,7 +111,7 @@ ConvergenceStudy parse_convergence_study(const json& given, const std::string& w
 }
 
 ConvergenceStudy load_convergence_study(const std::filesystem::path& path) {
-  return parse_convergence_study(text::load_json(path), path.string());
+  return parse_convergence_study(text::load_given_json(path), text::given_name(path));
 }
 
 std::vector<ConvergenceRun> runs_of(const ConvergenceStudy& study) {

@@ -7,6 +7,7 @@
 #include "campaign/studies/cost_study_schema_text.hpp"
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/scene_field.hpp"
+#include "campaign/text/given_file.hpp"
 #include "campaign/text/json_file.hpp"
 #include "campaign/text/plain_name.hpp"
 #include "solver/base/error.hpp"
@@ -85,7 +86,7 @@ CostStudy parse_cost_study(const json& given, const std::string& where) {
 }
 
 CostStudy load_cost_study(const std::filesystem::path& path) {
-  return parse_cost_study(text::load_json(path), path.string());
+  return parse_cost_study(text::load_given_json(path), text::given_name(path));
 }
 
 std::vector<CostRun> runs_of(const CostStudy& study) {

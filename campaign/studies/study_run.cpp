@@ -16,8 +16,9 @@ manager::Tally run_scenes(const StudyPlan& plan, const std::vector<Scene>& scene
         fmt::format("--budget = {:g}: does not pay for the first run; raise it", plan.core_hours));
   process::catch_stop_signals();
   process::hold_signals();
-  const db::AddedSweep added =
-      db::add_sweep(connection, plan.name, plan.document, sweeps::jobs_in_order(scenes));
+  const db::AddedSweep added = manager::add_when_free(connection, observer, [&] {
+    return db::add_sweep(connection, plan.name, plan.document, sweeps::jobs_in_order(scenes));
+  });
   const std::size_t left = manager::tally(connection, added.sweep).left;
   observer.begins(scenes.size() + known, known, left);
   if (left > 0) manager::work(connection, added.sweep, workplace, observer);

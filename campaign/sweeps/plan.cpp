@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "campaign/sweeps/job.hpp"
+#include "campaign/text/given_file.hpp"
 #include "campaign/text/json_file.hpp"
 
 namespace eerie::sweeps {
@@ -17,7 +18,7 @@ Plan plan(const nlohmann::json& document, const std::vector<std::string>& overri
 }
 
 Plan load_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return plan(text::load_json(file), overrides, file.string());
+  return plan(text::load_given_json(file), overrides, text::given_name(file));
 }
 
 db::AddedSweep store(db::Connection& connection, const Plan& plan) {

@@ -9,6 +9,7 @@
 
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/sweep_schema_text.hpp"
+#include "campaign/text/given_file.hpp"
 #include "campaign/text/json_file.hpp"
 #include "campaign/text/plain_name.hpp"
 #include "solver/base/error.hpp"
@@ -154,7 +155,7 @@ Sweep parse_sweep(const json& given, const std::vector<std::string>& overrides,
 }
 
 Sweep load_sweep(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  return parse_sweep(text::load_json(path), overrides, path.string());
+  return parse_sweep(text::load_given_json(path), overrides, text::given_name(path));
 }
 
 std::size_t point_count(const Sweep& sweep) {

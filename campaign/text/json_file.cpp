@@ -7,8 +7,8 @@
 #include <set>
 #include <vector>
 
+#include "campaign/text/given_file.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/file.hpp"
 
 namespace eerie::text {
 namespace fs = std::filesystem;
@@ -17,7 +17,7 @@ using nlohmann::json;
 namespace {
 
 constexpr int max_depth = 32;
-constexpr std::uintmax_t max_bytes = 16 << 20;
+constexpr std::size_t most_document_bytes = 16 << 20;  // of any scene or sweep
 
 /// "line 3, column 7" of a byte offset that counts from 1, as the parser gives it.
 std::string position(std::string_view text, std::size_t byte) {
@@ -77,20 +77,13 @@ json parse_json(std::string_view text, const std::string& name) {
 
 json load_json(const fs::path& path) {
   std::error_code problem;
-  const std::uintmax_t bytes = fs::file_size(path, problem);
-  if (problem)
-    throw InputError(fmt::format("{}: cannot be read: {}; give the path of a JSON file",
-                                 path.string(), problem.message()));
-  if (bytes > max_bytes)
-    throw InputError(fmt::format("{}: {} bytes are more than the {} of any scene or sweep file",
-                                 path.string(), bytes, max_bytes));
-  std::string text;
-  try {
-    text = read_file(path);
-  } catch (const EnvironmentError& error) {
-    throw InputError(error.what());
-  }
-  return parse_json(text, path.string());
+  if (fs::exists(path, problem) && !fs::is_regular_file(path, problem))
+    throw InputError(path.string() + ": is no plain file");
+  return load_given_json(path);
+}
+
+json load_given_json(const fs::path& path) {
+  return parse_json(read_given(path, most_document_bytes), given_name(path));
 }
 
 }  // namespace eerie::text

@@ -11,7 +11,11 @@ namespace eerie::text {
 /// document are refused. Throws InputError as "<name>, line 3, column 7: ... expected ...".
 nlohmann::json parse_json(std::string_view text, const std::string& name);
 
-/// parse_json of a file that the user named. Throws InputError also where it cannot be read.
+/// parse_json of a plain file. A pipe in its place is refused, since reading one may wait for ever.
+/// Throws InputError also where it cannot be read.
 nlohmann::json load_json(const std::filesystem::path& path);
+
+/// parse_json of what the user named: a file, a pipe, or "-" for standard input (given_file.hpp).
+nlohmann::json load_given_json(const std::filesystem::path& path);
 
 }  // namespace eerie::text

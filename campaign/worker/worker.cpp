@@ -20,6 +20,7 @@
 #include "campaign/process/signals.hpp"
 #include "campaign/sweeps/job.hpp"
 #include "campaign/text/json_file.hpp"
+#include "campaign/text/json_text.hpp"
 #include "campaign/worker/reanalysis.hpp"
 #include "campaign/worker/watch.hpp"
 #include "solver/base/error.hpp"
@@ -69,7 +70,7 @@ class ProgressWriter {
 /// The same scene would fail again: that is the verdict on the job.
 int fail(const job_folder::JobDirectory& directory, const job_folder::Failure& failure) {
   spdlog::error("step {}: {}", failure.step, failure.message);
-  install_text(directory.failure(), job_folder::to_json(failure).dump(1) + "\n");
+  install_text(directory.failure(), text::json_text(job_folder::to_json(failure), 1) + "\n");
   return static_cast<int>(ExitCode::job_failed);
 }
 

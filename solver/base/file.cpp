@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "solver/base/destination.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/free_space.hpp"
 #include "solver/base/kill_point.hpp"
@@ -42,6 +43,33 @@ void rename_file(const fs::path& from, const fs::path& to) {
   if (::rename(from.c_str(), to.c_str()) != 0) fail("install", to);
 }
 
+/// A folder of our own, for a file on its way into a stream.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string pattern = (fs::temp_directory_path() / "eerie-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) fail("make", pattern);
+    path_ = pattern;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// A file that is replaced passes its permissions on.
+void keep_permissions(const fs::path& from, const fs::path& to) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(from, ignored);
+  if (fs::is_regular_file(status)) fs::permissions(to, status.permissions(), ignored);
+}
+
 }  // namespace
 
 std::string read_file(const fs::path& path) {
@@ -58,8 +86,15 @@ std::string read_file(const fs::path& path) {
   fail("read", path);
 }
 
-void install_file(const fs::path& path, const std::function<void(const fs::path&)>& write,
+void install_file(const fs::path& given, const std::function<void(const fs::path&)>& write,
                   const fs::path& previous) {
+  const Destination to = destination_of(given);
+  if (to.is_stream) {
+    const ScratchFolder scratch;
+    write(scratch.path() / given.filename());
+    return pour(scratch.path() / given.filename(), to.path);
+  }
+  const fs::path& path = to.path;
   const fs::path folder = folder_of(path);
   const std::string name = path.filename().string();
   // The pid keeps two writers apart; the name starts with a dot so that globs pass it by.
@@ -67,6 +102,7 @@ void install_file(const fs::path& path, const std::function<void(const fs::path&
   try {
     kill_point("install.before-write", name);
     write(temporary);
+    keep_permissions(path, temporary);
     kill_point("install.before-sync", name);
     sync_path(temporary, O_RDONLY);
     kill_point("install.before-rename", name);

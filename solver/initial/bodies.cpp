@@ -27,14 +27,22 @@ double rms_speed(const particles::State& s) {
   return std::sqrt(sum / static_cast<double>(s.size()));
 }
 
-particles::State at_rest(const Scene& scene, particles::Body body, double radius, std::size_t n) {
+double radius_of(const Scene& scene, particles::Body body) {
+  return body == particles::Body::target ? scene.target.radius_m : impactor_radius(scene);
+}
+
+using Stop = std::function<bool()>;
+
+particles::State at_rest(const Scene& scene, particles::Body body, std::size_t n,
+                         const Stop& stop) {
+  const double radius = radius_of(scene, body);
   const material::Material material = material::make_material(scene);
   Random random(static_cast<std::uint64_t>(scene.numerics.seed), static_cast<std::uint64_t>(body));
   particles::State s;
   particles::resize(s, n);
   s.mass = particle_mass(scene);
   s.h = smoothing_length(scene);
-  s.x = packed_sphere(scene.numerics.packing, n, radius, random);
+  s.x = packed_sphere(scene.numerics.packing, n, radius, random, stop);
   const double p_centre = central_pressure({radius, scene.material.rho0_kg_per_m3});
   for (std::size_t i = 0; i < n; ++i) {
     s.id[i] = static_cast<std::uint32_t>(i);
@@ -43,10 +51,6 @@ particles::State at_rest(const Scene& scene, particles::Body body, double radius
     s.rho[i] = std::visit([p](const auto& eos) { return eos.density_at(p); }, material.eos);
   }
   return s;
-}
-
-double radius_of(const Scene& scene, particles::Body body) {
-  return body == particles::Body::target ? scene.target.radius_m : impactor_radius(scene);
 }
 
 /// The orders of memory differ from body to body; ids put them back.
@@ -73,16 +77,16 @@ void append(particles::State& all, const particles::State& body, const Vec3& x, 
 }
 
 /// Points of a packing with the density of equilibrium, before they settle.
-particles::State unsettled_body(const Scene& scene, particles::Body body) {
+particles::State unsettled_body(const Scene& scene, particles::Body body, const Stop& stop = {}) {
   const long n = body == particles::Body::target ? scene.numerics.particles_per_target
                                                  : impactor_particles(scene);
-  return at_rest(scene, body, radius_of(scene, body), static_cast<std::size_t>(n));
+  return at_rest(scene, body, static_cast<std::size_t>(n), stop);
 }
 
 }  // namespace
 
-Settling::Settling(const Scene& scene, particles::Body body)
-    : Settling(scene, body, step::Solver(scene, unsettled_body(scene, body))) {}
+Settling::Settling(const Scene& scene, particles::Body body, const std::function<bool()>& stop)
+    : Settling(scene, body, step::Solver(scene, unsettled_body(scene, body, stop))) {}
 
 Settling::Settling(const Scene& scene, particles::Body body, step::Solver begun)
     : scene_(scene),
@@ -171,7 +175,8 @@ particles::State on_their_orbit(const Scene& scene, const particles::State& targ
 particles::State make_impact(const Scene& scene) { return made_on_orbit(scene, make_body); }
 
 particles::State make_unsettled_impact(const Scene& scene) {
-  return made_on_orbit(scene, unsettled_body);
+  return made_on_orbit(
+      scene, [](const Scene& s, particles::Body body) { return unsettled_body(s, body); });
 }
 
 }  // namespace eerie::initial

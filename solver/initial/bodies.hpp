@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "solver/particles/state.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/step/solver.hpp"
@@ -11,7 +13,8 @@ namespace eerie::initial {
 /// balance. A run may be interrupted between two cycles and continues with the same bits.
 class Settling {
  public:
-  Settling(const Scene& scene, particles::Body body);
+  /// Throws PackingStopped where `stop` returns true while particles are packed.
+  Settling(const Scene& scene, particles::Body body, const std::function<bool()>& stop = {});
   /// Continues from the solver of an interrupted settling.
   Settling(const Scene& scene, particles::Body body, step::Solver begun);
 

@@ -26,13 +26,16 @@ Mat3 random_rotation(Random& random) {
 /// pushed apart until even.
 class PeriodicGlass {
  public:
-  PeriodicGlass(int side, Random& random)
+  PeriodicGlass(int side, Random& random, const std::function<bool()>& stop)
       : side_(side), cells_(std::max(3, static_cast<int>(side / reach))) {
     for (int i = 0; i < side; ++i)
       for (int j = 0; j < side; ++j)
         for (int k = 0; k < side; ++k)
           points_.push_back({i + random.uniform(), j + random.uniform(), k + random.uniform()});
-    for (int n = 0; n < sweeps; ++n) relax();
+    for (int n = 0; n < sweeps; ++n) {
+      if (stop && stop()) throw PackingStopped();
+      relax();
+    }
   }
   const std::vector<Vec3>& points() const { return points_; }
 
@@ -117,14 +120,14 @@ std::vector<Vec3> nearest(const std::vector<Vec3>& pattern, double side, const V
 }  // namespace
 
 std::vector<Vec3> packed_sphere(const std::string& packing, std::size_t n, double radius,
-                                Random& random) {
+                                Random& random, const std::function<bool()>& stop) {
   std::vector<Vec3> pattern;
   double side = 0;
   if (packing == "glass") {
     // A cube that holds the sphere, but at most 20 spacings wide: larger spheres tile it.
     const int cells =
         std::clamp(static_cast<int>(std::ceil(std::cbrt(2.6 * static_cast<double>(n)))), 8, 20);
-    pattern = PeriodicGlass(cells, random).points();
+    pattern = PeriodicGlass(cells, random, stop).points();
     side = cells;
   } else if (packing == "lattice") {
     side = std::cbrt(4.0);  // face-centred cubic: four points in a cube

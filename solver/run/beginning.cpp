@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "solver/initial/bodies.hpp"
+#include "solver/initial/packing.hpp"
 #include "solver/run/checkpoints.hpp"
 
 namespace eerie::run {
@@ -58,27 +59,35 @@ class Begin {
   /// rest.
   particles::State made_impact() {
     initial::require_orbit(scene_);
-    const initial::Settling target = settled(Body::target);
-    if (end_) return stopped(target);
-    const initial::Settling impactor = settled(Body::impactor);
-    if (end_) return keep(Body::impactor, impactor), stopped(target);
-    return initial::on_their_orbit(scene_, target.body(), impactor.body());
+    const std::optional<initial::Settling> target = settled(Body::target);
+    if (end_) return stopped(target, {});
+    const std::optional<initial::Settling> impactor = settled(Body::impactor);
+    if (end_) return stopped(target, impactor);
+    return initial::on_their_orbit(scene_, target->body(), impactor->body());
   }
 
   /// Something to show of a run that did not begin, made at once.
-  particles::State stopped(const initial::Settling& target) const {
-    keep(Body::target, target);
+  particles::State stopped(const std::optional<initial::Settling>& target,
+                           const std::optional<initial::Settling>& impactor) const {
+    if (target) keep(Body::target, *target);
+    if (impactor) keep(Body::impactor, *impactor);
     Scene quick = scene_;
     quick.numerics.packing = "lattice";
     return initial::make_unsettled_impact(quick);
   }
 
-  initial::Settling settled(Body body) {
-    initial::Settling settling = begun(body);
-    while (!settling.is_at_rest() && !is_over()) {
-      const long before = settling.solver().state().step;
-      settling.cycle();
-      steps_ += settling.solver().state().step - before;
+  /// Nothing where it was stopped before there was anything to keep.
+  std::optional<initial::Settling> settled(Body body) {
+    std::optional<initial::Settling> settling;
+    try {
+      settling.emplace(begun(body));
+    } catch (const initial::PackingStopped&) {
+      return settling;
+    }
+    while (!settling->is_at_rest() && !is_over()) {
+      const long before = settling->solver().state().step;
+      settling->cycle();
+      steps_ += settling->solver().state().step - before;
     }
     return settling;
   }
@@ -97,7 +106,7 @@ class Begin {
     const fs::path file = file_of(body);
     const auto to_log = [this](const std::string& text) { note(text); };
     auto saved = usable_checkpoint(file, scene_, to_log);
-    if (!saved) return {scene_, body};
+    if (!saved) return {scene_, body, [this] { return is_over(); }};
     note(fmt::format("{}: going on from step {} of its way to rest", file.string(),
                      saved->state.step));
     return {scene_, body,

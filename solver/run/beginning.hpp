@@ -23,7 +23,7 @@ struct NotBegun {
 };
 
 /// Makes the bodies of a scene, or continues from the newest checkpoint in options.directory. Calls
-/// options.stop after every cycle of settling.
+/// options.stop while it packs particles and after every cycle of settling.
 std::variant<Beginning, NotBegun> begin(const Scene& scene, const RunOptions& options);
 
 }  // namespace eerie::run

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "solver/base/error.hpp"
+#include "solver/base/folders.hpp"
 #include "solver/run/beginning.hpp"
 #include "solver/run/checkpoints.hpp"
 #include "solver/step/late.hpp"
@@ -261,11 +262,7 @@ RunSummary summary_of(NotBegun stopped, const Scene& scene, const RunOptions& op
 
 RunSummary run_impact(const Scene& scene, const RunOptions& options) {
   omp_set_num_threads(options.threads);
-  std::error_code error;
-  fs::create_directories(options.directory, error);
-  if (error)
-    throw EnvironmentError(
-        fmt::format("cannot make the folder {}: {}", options.directory.string(), error.message()));
+  make_folders(options.directory);
   auto beginning = begin(scene, options);
   if (auto* stopped = std::get_if<NotBegun>(&beginning))
     return summary_of(std::move(*stopped), scene, options);

@@ -35,6 +35,9 @@ class Around : public testing::Test {
   int number(const std::string& sql) {
     return SQLite::Database(folder / "eerie.sqlite").execAndGet(sql).getInt();
   }
+  bool says_waiting(const Program& program) {
+    return program.said().find("waiting: ") != std::string::npos;
+  }
   int done() { return number("SELECT count(*) FROM results"); }
   void write_endless_scene() {
     std::ofstream(folder / "scene.json")
@@ -132,19 +135,79 @@ TEST_F(Around, ASecondDaemonThroughALinkIsToldWhoIsAtWork) {
 }
 
 TEST_F(Around, ADatabaseThatWouldKeepNothingIsRefused) {
-  for (const char* name : {":memory:", "", "file:a.sqlite", "file:a?mode=memory"}) {
+  for (const char* name :
+       {":memory:", "", "file:a.sqlite", "file:a?mode=memory", "file:below/a.sqlite"}) {
     const Ended run = eerie({"run", "sweep.json", "--db", name});
     EXPECT_EQ(run.code, 2) << name << run.err;
     EXPECT_EQ(eerie({"submit", "sweep.json", "--db", name}).code, 2);
   }
   EXPECT_FALSE(fs::exists(folder / "a.sqlite"));
+  EXPECT_FALSE(fs::exists(folder / "file:below"));
+}
+
+TEST_F(Around, NumbersThatAreNoneAreRefusedBeforeAnythingIsDone) {
+  const std::vector<std::vector<std::string>> commands = {
+      {"run", "sweep.json", "--min-free-mb"},
+      {"run", "sweep.json", "--fidelity", "auto", "--budget"},
+      {"run", "sweep.json", "--fidelity", "auto", "--confidence"},
+      {"daemon", "--until-idle", "--min-free-mb"},
+      {"query", "--q"},
+      {"map", "-o", "map.csv", "--phi-d"},
+      {"disk", "--r"}};
+  for (const std::vector<std::string>& command : commands)
+    for (const char* number : {"nan", "-nan", "inf", "-inf", "1e999"}) {
+      std::vector<std::string> words = command;
+      words.back() += std::string("=") + number;
+      const Ended ended = eerie(words);
+      EXPECT_EQ(ended.code, 2) << words.front() << " " << words.back() << ": " << ended.err;
+      EXPECT_THAT(ended.err, HasSubstr(command.back())) << words.front();
+    }
+  EXPECT_FALSE(fs::exists(folder / "eerie.sqlite"));
 }
 
 TEST_F(Around, AFolderOfJobsIsTriedBeforeItIsStored) {
-  const Ended wrong = eerie({"run", "sweep.json", "--jobs-dir", "sweep.json/jobs"});
-  EXPECT_EQ(wrong.code, 2) << wrong.err;
-  EXPECT_THAT(wrong.err, HasSubstr("--jobs-dir"));
+  for (const char* file : {"sweep.json", "sweep.json/jobs"}) {
+    const Ended wrong = eerie({"run", "sweep.json", "--jobs-dir", file});
+    EXPECT_EQ(wrong.code, 2) << wrong.err;
+    EXPECT_THAT(wrong.err, HasSubstr("--jobs-dir"));
+  }
   EXPECT_EQ(eerie({"run", "sweep.json", "--min-free-mb", "0"}).code, 0);
+}
+
+/// Another program's transaction that writes.
+class Writer {
+ public:
+  explicit Writer(const fs::path& database) : sql_(database, SQLite::OPEN_READWRITE) {
+    sql_.exec("BEGIN IMMEDIATE");
+  }
+  void end() { sql_.exec("COMMIT"); }
+
+ private:
+  SQLite::Database sql_;
+};
+
+TEST_F(Around, ARunThatCannotAddItsSweepYetSaysSoAndWaits) {
+  ASSERT_EQ(eerie({"run", "sweep.json", "--min-free-mb", "0"}).code, 0);
+  test::write_sweep(folder.path(), 1000, R"({"v_imp_cm_per_s": [16]})");
+  Writer writer(folder / "eerie.sqlite");
+  Program run(folder.path(), {"run", "sweep.json", "--min-free-mb", "0", "--jobs-dir",
+                              (folder / "eerie.sqlite.jobs").string()});
+  ASSERT_TRUE(test::eventually([&] { return says_waiting(run); }));
+  EXPECT_TRUE(run.running());
+  writer.end();
+  EXPECT_EQ(run.wait().code, 0) << run.said();
+  EXPECT_EQ(done(), 2);
+}
+
+TEST_F(Around, ARunThatWaitsForTheDatabaseIsStoppedBySigterm) {
+  ASSERT_EQ(eerie({"run", "sweep.json", "--min-free-mb", "0"}).code, 0);
+  const Writer writer(folder / "eerie.sqlite");
+  Program run(folder.path(), {"run", "sweep.json", "--min-free-mb", "0"});
+  ASSERT_TRUE(test::eventually([&] { return says_waiting(run); }));
+  run.send(SIGTERM);
+  const Ended ended = run.wait();
+  EXPECT_EQ(ended.code, 130);
+  EXPECT_THAT(ended.err, HasSubstr("stopped before the work began"));
 }
 
 TEST_F(Around, ADaemonThatStartsWaitsForACommandThatIsAtWork) {

@@ -118,6 +118,22 @@ TEST(Glass, PrefersNoDirectionWhereALatticeDoes) {
   }
 }
 
+TEST(Glass, StopsAtOnceWhenItIsToldTo) {
+  Random random(1, 0);
+  int asked = 0;
+  EXPECT_THROW(packed_sphere("glass", 600, 1, random, [&] { return ++asked == 3; }),
+               PackingStopped);
+  EXPECT_EQ(asked, 3);
+}
+
+TEST(Glass, IsTheSameWhetherAStopIsAskedForOrNot) {
+  Random one(1, 0), other(1, 0);
+  const std::vector<Vec3> x = packed_sphere("glass", 600, 1, one);
+  const std::vector<Vec3> y = packed_sphere("glass", 600, 1, other, [] { return false; });
+  for (std::size_t i = 0; i < x.size(); ++i)
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(x[i][k], y[i][k]);
+}
+
 TEST(Packing, UnknownNameIsRefused) {
   Random random(1, 0);
   EXPECT_THROW(packed_sphere("crate", 10, 1, random), InputError);

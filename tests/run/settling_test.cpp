@@ -45,6 +45,21 @@ TEST(Settling, ThatIsStoppedGoesOnAndEndsWithTheSameBits) {
               IsEmpty());
 }
 
+TEST(Settling, ThatIsStoppedWhileAGlassIsPackedGoesOnAndEndsWithTheSameBits) {
+  const Scene scene = scene_of("glass");
+  const TemporaryFolder folder;
+  int questions = 0;
+  RunOptions options;
+  options.stop = [&] { return ++questions >= 3; };
+  const RunSummary stopped = run_in(folder, scene, options).summary;
+  EXPECT_EQ(stopped.end, RunEnd::stopped);
+  EXPECT_EQ(questions, 3) << "it is not asked again, and nothing is begun";
+  EXPECT_EQ(stopped.last.state.size(), 600u);
+  EXPECT_EQ(run_in(folder, scene).summary.end, RunEnd::finished);
+  EXPECT_THAT(differences(io::read_snapshot(folder / "final.hdf5"), uninterrupted(scene)),
+              IsEmpty());
+}
+
 TEST(Settling, CountsItsStepsAndComesToItsEndPieceByPiece) {
   const Scene scene = scene_of("glass");
   const TemporaryFolder folder;
@@ -58,7 +73,7 @@ TEST(Settling, CountsItsStepsAndComesToItsEndPieceByPiece) {
 }
 
 TEST(Settling, ThatWouldTakeForEverStopsWhenAsked) {
-  const Scene scene = short_impact({{"numerics", {{"cfl", 1e-9}}}});
+  const Scene scene = short_impact({{"numerics", {{"cfl", 1e-9}, {"packing", "lattice"}}}});
   const TemporaryFolder folder;
   EXPECT_EQ(run_in(folder, scene, stopping_at(2)).summary.end, RunEnd::stopped);
   RunOptions options;

@@ -47,11 +47,19 @@ int times(const std::string& text, const std::string& word) {
 }  // namespace
 
 DisturbedCampaign::DisturbedCampaign(const fs::path& folder, int jobs, double end_time_s)
+    : DisturbedCampaign(folder, jobs, end_time_s, AsItIs{}) {
+  submit();
+}
+
+DisturbedCampaign::DisturbedCampaign(const fs::path& folder, int jobs, double end_time_s, AsItIs)
     : folder_(folder), jobs_(jobs), end_time_s_(end_time_s) {
   json speeds = json::array();
   for (int i = 0; i < jobs; ++i) speeds.push_back(15 + i);
   write_sweep(folder, end_time_s, json{{"v_imp_cm_per_s", speeds}}.dump());
-  const Ended submitted = eerie(folder, {"submit", "sweep.json"});
+}
+
+void DisturbedCampaign::submit() const {
+  const Ended submitted = eerie(folder_, {"submit", "sweep.json"});
   EXPECT_EQ(submitted.code, 0) << submitted.err;
 }
 

@@ -16,7 +16,12 @@ class DisturbedCampaign {
   /// Submits `jobs` impacts of `end_time_s` (about a second per 10,000 s); the folder may be on a
   /// disk of its own.
   DisturbedCampaign(const std::filesystem::path& folder, int jobs, double end_time_s);
+  /// The same, not submitted: the folder holds as much of it as it does.
+  struct AsItIs {};
+  DisturbedCampaign(const std::filesystem::path& folder, int jobs, double end_time_s, AsItIs);
 
+  /// Submits it (again).
+  void submit() const;
   std::vector<std::string> daemon_words() const;
   /// Lets a daemon work until nothing is left, trying again what crashed too often.
   void finish_in_peace() const;

@@ -118,7 +118,7 @@ std::vector<fs::path> job_directories(const fs::path& database) {
   std::vector<fs::path> found;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(database.string() + ".jobs", none))
-    if (entry.path().filename() != "batches") found.push_back(entry.path());
+    if (entry.is_directory() && entry.path().filename() != "batches") found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   return found;
 }

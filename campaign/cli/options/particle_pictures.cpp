@@ -43,7 +43,7 @@ Answer draw_pictures(const PictureArguments& a, const std::filesystem::path& fol
   run_pictures::require_drawable(request);
   std::vector<std::filesystem::path> files;
   for (const auto& file : {request.panels, request.film})
-    if (!file.empty()) make_folder_of(file), files.push_back(file);
+    if (!file.empty()) text::require_folder_of(file), files.push_back(file);
   run_pictures::DrawnPictures drawn = run_pictures::draw(request, folder);
   const char* centre = drawn.frame.on_largest ? "largest remnant" : "centre of mass";
   Answer answer;

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "campaign/cli/output/complain.hpp"
 #include "campaign/cli/output/files.hpp"
 #include "campaign/job_folder/log.hpp"
 #include "campaign/manager/local_processes.hpp"
+#include "campaign/manager/patience.hpp"
 #include "campaign/process/signals.hpp"
 #include "campaign/slurm/profile.hpp"
 #include "campaign/slurm/slurm_scheduler.hpp"
@@ -32,13 +34,20 @@ void require_consistent(const SchedulerArguments& a) {
   if (a.is_local() && !a.profile.empty())
     throw InputError(
         fmt::format("--profile {}: is for Slurm; add --scheduler slurm", a.profile.string()));
+  try {
+    text::require_folder_above(a.jobs_dir);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--jobs-dir {}", error.what()));
+  }
 }
 
 HeldDatabase::HeldDatabase(const fs::path& database, const SchedulerArguments& scheduler)
-    : lock((process::catch_stop_signals(), process::hold_signals(), make_folder_of(database),
-            database)),
+    : lock((process::catch_stop_signals(), process::hold_signals(),
+            make_folder_of_database(database), database)),
       connection(database, db::Access::write) {
-  if (!scheduler.jobs_dir.empty()) job_folder::choose_job_folder(connection, scheduler.jobs_dir);
+  if (scheduler.jobs_dir.empty()) return;
+  manager::when_free(
+      connection, [&] { job_folder::choose_job_folder(connection, scheduler.jobs_dir); }, complain);
 }
 
 std::unique_ptr<manager::Scheduler> make_scheduler(const SchedulerArguments& a,

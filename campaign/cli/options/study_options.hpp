@@ -21,7 +21,7 @@ template <class Study, class Run>
 studies::StudyWork<Run> watch_study(StudyArguments a, const Study& study,
                                     const std::vector<Run>& runs, Output& out) {
   a.plan.name = study.name, a.plan.document = study.document.dump();
-  if (!a.plan.draw_only) make_folder_of(a.plan.database);
+  if (!a.plan.draw_only) make_folder_of_database(a.plan.database);
   CampaignWatch watch(study.name, out);
   return studies::work_on_study(a.plan, runs, workplace({}, a.share), watch);
 }

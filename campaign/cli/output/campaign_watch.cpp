@@ -1,5 +1,7 @@
 #include "campaign/cli/output/campaign_watch.hpp"
 
+#include "campaign/cli/output/complain.hpp"
+
 namespace eerie::cli {
 namespace {
 
@@ -9,6 +11,8 @@ std::string text(const manager::Split& split) {
 }
 
 }  // namespace
+
+void CampaignWatch::waits(const std::string& reason) { complain(reason); }
 
 void CampaignWatch::measured(std::span<const manager::Split> splits) {
   std::string speeds;

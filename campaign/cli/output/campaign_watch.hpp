@@ -14,6 +14,7 @@ class CampaignWatch : public studies::StudyObserver, public auto_fidelity::AutoO
   CampaignWatch(std::string name, Output& out) : name_(std::move(name)), out_(out) {}
   ~CampaignWatch() override { line_.finish(); }
 
+  void waits(const std::string& reason) override;
   void measured(std::span<const manager::Split> splits) override;
   void at_work(const manager::CampaignView& view) override;
   void begins(std::size_t runs, std::size_t known, std::size_t left) override;

@@ -3,12 +3,14 @@
 #include <filesystem>
 #include <string_view>
 
+#include "campaign/text/given_folder.hpp"
+
 namespace eerie::cli {
 
-/// Makes the folder of a file that is to be written. Throws EnvironmentError.
-void make_folder_of(const std::filesystem::path& file);
+/// text::make_given_folder for that of a database, once its name is known to be one of a file.
+void make_folder_of_database(const std::filesystem::path& database);
 
-/// install_text(), in a folder that is made where there is none.
+/// install_text() in a folder that is there. Throws InputError where it is not.
 void install(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace eerie::cli

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "campaign/text/json_text.hpp"
+
 namespace eerie::cli {
 
 std::string see_status(const std::filesystem::path& database) {
@@ -20,8 +22,7 @@ nlohmann::json names_of(const std::vector<std::filesystem::path>& files) {
 
 std::string rendered(const Answer& answer, Format format, std::size_t width) {
   // A path may be no UTF-8, which JSON must be.
-  if (format == Format::json)
-    return answer.data.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  if (format == Format::json) return text::json_text(answer.data, 1) + "\n";
   std::string out;
   for (const Answer::Block& block : answer.blocks()) {
     const auto* table = std::get_if<Table>(&block);

@@ -8,7 +8,7 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/files.hpp"
 #include "campaign/sweeps/job.hpp"
-#include "solver/base/file.hpp"
+#include "campaign/text/given_file.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -24,11 +24,9 @@ struct CatalogueArguments {
 };
 
 catalogue::Catalogue load(const CatalogueArguments& a) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(a.catalogue, ignored))
-    throw InputError(a.catalogue.string() + ": there is no such file; give a catalogue as CSV");
-  catalogue::Catalogue catalogue =
-      catalogue::parse_catalogue(read_file(a.catalogue), a.catalogue.string(), a.options);
+  constexpr std::size_t most_bytes = 256 << 20;
+  catalogue::Catalogue catalogue = catalogue::parse_catalogue(
+      text::read_given(a.catalogue, most_bytes), text::given_name(a.catalogue), a.options);
   if (!catalogue.ignored.empty())
     complain(fmt::format("not used: {}", fmt::join(catalogue.ignored, ", ")));
   return catalogue;
@@ -52,14 +50,17 @@ Answer export_catalogue(const CatalogueArguments& a, Output& out) {
 }
 
 Answer import_catalogue(const CatalogueArguments& a) {
+  const std::string name = text::given_name(a.catalogue);
+  const bool is_named = text::is_named_file(a.catalogue);
+  if (a.output.empty() && !is_named)
+    throw InputError(fmt::format("{}: a sweep cannot be named after it; give -o SWEEP.json", name));
   const catalogue::Catalogue catalogue = load(a);
   SceneChanges changes = a.changes;
-  const std::string name = a.catalogue.string();
   if (changes.fidelity.empty()) changes.fidelity = catalogue::common_fidelity(catalogue, name);
   nlohmann::json document = catalogue::sweep_of(catalogue, changes.all(), name);
   const fs::path file = a.output.empty() ? a.catalogue.stem().concat(".json") : a.output;
   document["name"] = catalogue::sweep_name_of(file.stem());
-  document["description"] = "impacts of " + a.catalogue.filename().string();
+  document["description"] = "impacts of " + (is_named ? a.catalogue.filename().string() : name);
   const sweeps::Sweep sweep = sweeps::parse_sweep(document, {}, file.string());
   const std::vector<Scene> scenes = sweeps::expand(sweep);
   install(file, document.dump(1) + "\n");

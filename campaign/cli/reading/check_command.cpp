@@ -38,7 +38,7 @@ Answer check(const CheckArguments& a) {
   const db::Connection connection(a.database, db::Access::read);
   facts::FactReport report = facts::check_facts(connection, a.filter);
   if (a.report.empty()) return answer_of(report);
-  make_folder_of(a.report);
+  text::require_folder_of(a.report);
   facts::draw_maps(report, connection, a.filter, a.report);
   install_text(a.report, facts::markdown(report));
   Answer answer = answer_of(report);

@@ -52,7 +52,7 @@ Answer disk_environment(const DiskArguments& a) {
   const surroundings::DiskAnswer found = surroundings::disk_answer(q);
   std::vector<std::filesystem::path> files;
   if (!a.folder.empty()) {
-    make_folder_of(a.folder / "numbers.csv");
+    text::make_given_folder(a.folder);
     files = surroundings::write_disk(q, found, a.folder, a.formats);
   }
   print_warnings(surroundings::warnings(found));

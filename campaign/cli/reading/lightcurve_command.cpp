@@ -65,7 +65,7 @@ Answer show_light_curve(const LightCurveArguments& a) {
       light_curve::ellipsoid_amplitude(seen.body.shape, figure.curve.aspect);
   std::vector<fs::path> files;
   if (!a.picture.empty()) {
-    make_folder_of(a.picture);
+    text::require_folder_of(a.picture);
     files = light_curve::write_light_curve(a.picture, figure);
   }
   Answer answer;

@@ -43,7 +43,7 @@ Answer sizes(const SizesArguments& a) {
     throw InputError(
         fmt::format("{}: no result matches; {}", a.database.string(), see_status(a.database)));
   for (const fs::path& file : a.files) {
-    make_folder_of(file);
+    text::require_folder_of(file);
     if (file.extension() == ".csv")
       install_text(file, text::csv(results::table_of_steps(all)));
     else

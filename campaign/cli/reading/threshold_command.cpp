@@ -28,7 +28,7 @@ Answer threshold(const ThresholdArguments& a) {
   if (a.file.extension() == ".csv") {
     install(a.file, maps::ridges_csv(fits));
   } else if (!a.file.empty()) {
-    make_folder_of(a.file);
+    text::require_folder_of(a.file);
     maps::draw_ridge(a.file, connection, fits);
   }
   Answer answer;

@@ -1,5 +1,7 @@
 #include "campaign/cli/output/campaign_watch.hpp"
 #include "campaign/cli/running/run_arguments.hpp"
+#include "campaign/results/results_table.hpp"
+#include "campaign/text/given_file.hpp"
 #include "campaign/text/json_file.hpp"
 
 namespace eerie::cli {
@@ -25,6 +27,17 @@ nlohmann::json bill(const AutoFidelity& campaign) {
   for (std::size_t r = 0; r < spent.size(); ++r)
     if (spent[r] > 0) seconds[campaign.rungs()[r].name] = spent[r];
   return seconds;
+}
+
+/// Of the results of the sweeps of this name; a changed sweep file makes another one.
+std::string drift_warning(const db::Connection& connection, const std::string& name) {
+  std::vector<db::ResultRow> all;
+  for (const db::SweepStatus& sweep : db::sweep_status(connection)) {
+    if (sweep.name != name) continue;
+    const std::vector<db::ResultRow> rows = db::results(connection, {.sweep = sweep.id});
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  return results::drift_warning(all);
 }
 
 Answer answer_of(const AutoFidelity& campaign, const std::string& sweep, const manager::Tally& last,
@@ -56,8 +69,8 @@ Answer answer_of(const AutoFidelity& campaign, const std::string& sweep, const m
 Answer run_auto(const RunArguments& a, Output& out) {
   if (!a.maps.empty())
     throw InputError("--map: --fidelity auto draws its own maps beside the database; leave it out");
-  AutoFidelity campaign(auto_fidelity::ladder(text::load_json(a.sweep), a.changes.overrides,
-                                              a.sweep.string(), a.finest),
+  AutoFidelity campaign(auto_fidelity::ladder(text::load_given_json(a.sweep), a.changes.overrides,
+                                              text::given_name(a.sweep), a.finest),
                         a.automatic);
   const sweeps::Sweep& sweep = campaign.rungs().back().sweep;
   require_consistent(a.scheduler);
@@ -70,6 +83,8 @@ Answer run_auto(const RunArguments& a, Output& out) {
     last = auto_fidelity::run_auto(held.connection, campaign, plan, workplace(a.scheduler, a.share),
                                    watch);
   }
+  if (const std::string drift = drift_warning(held.connection, plan.name); !drift.empty())
+    print_warnings({drift});
   const std::string stem = fmt::format("{}-{}-auto", a.database.stem().string(), sweep.name);
   return answer_of(campaign, plan.name, last,
                    auto_fidelity::write_results(campaign, a.database.parent_path() / stem));

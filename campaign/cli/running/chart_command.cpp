@@ -1,6 +1,7 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/options/study_options.hpp"
 #include "campaign/studies/cost_files.hpp"
+#include "campaign/text/given_folder.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;
@@ -13,6 +14,7 @@ struct ChartArguments {
 };
 
 Answer chart(const ChartArguments& a, Output& out) {
+  text::require_folder_of(a.picture);
   const studies::CostStudy study = studies::load_cost_study(a.work.study);
   const auto [left, results, jobs] = watch_study(a.work, study, studies::runs_of(study), out);
   const std::vector<studies::CostPoint> points = studies::cost_points(study, results);
@@ -20,7 +22,6 @@ Answer chart(const ChartArguments& a, Output& out) {
     throw InputError(fmt::format(
         "{}: the database {} lacks the reference's result of some case: nothing to measure against",
         a.work.study.string(), a.work.plan.database.string()));
-  make_folder_of(a.picture);
   const std::vector<fs::path> files = studies::write_cost_study(study, results, points, a.picture);
   Answer answer = study_answer(study.name, results.size(), left, files);
   answer.data["points"] = points.size();

@@ -1,6 +1,7 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/options/study_options.hpp"
 #include "campaign/studies/convergence_files.hpp"
+#include "campaign/text/given_folder.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;
@@ -14,12 +15,12 @@ struct ConvergeArguments {
 
 Answer converge(const ConvergeArguments& a, Output& out) {
   const studies::ConvergenceStudy study = studies::load_convergence_study(a.work.study);
+  text::make_given_folder(a.folder);  // before hours of work
   auto [left, results, jobs] = watch_study(a.work, study, studies::runs_of(study), out);
   if (results.empty())
     throw InputError(fmt::format("{}: the database {} has no result of this study{}",
                                  a.work.study.string(), a.work.plan.database.string(),
                                  a.work.plan.known.empty() ? "" : ", nor have the known tables"));
-  make_folder_of(a.folder / "runs.csv");
   studies::look_up_published_time(study, results, jobs);
   const std::vector<studies::ConvergenceCell> cells = studies::cells_of(study, results);
   const std::vector<fs::path> files =

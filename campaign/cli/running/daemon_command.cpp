@@ -6,8 +6,8 @@
 #include "campaign/cli/running/serve_options.hpp"
 #include "campaign/job_folder/log.hpp"
 #include "campaign/job_folder/provenance.hpp"
-#include "campaign/manager/local_processes.hpp"
 #include "campaign/manager/status_file.hpp"
+#include "campaign/process/cores.hpp"
 #include "campaign/process/notify.hpp"
 #include "campaign/process/signals.hpp"
 
@@ -26,7 +26,7 @@ Answer daemon(const DaemonArguments& a, Output& out) {
   require_consistent(a.scheduler);
   process::catch_stop_signals();
   process::hold_signals();
-  make_folder_of(a.database);
+  make_folder_of_database(a.database);
   constexpr std::uintmax_t least = 1 << 16;  // a database needs some to be opened at all
   if (!manager::wait_for_room(std::filesystem::absolute(a.database).parent_path(), least, complain))
     return {};
@@ -36,7 +36,7 @@ Answer daemon(const DaemonArguments& a, Output& out) {
   const auto threads = static_cast<std::size_t>(a.threads_per_job);
   const std::size_t workers = a.workers > 0
                                   ? static_cast<std::size_t>(a.workers)
-                                  : std::max<std::size_t>(1, manager::usable_cores() / threads);
+                                  : std::max<std::size_t>(1, process::usable_cores() / threads);
   const auto scheduler = make_scheduler(a.scheduler, held.connection, workers, a.threads_per_job);
   manager::ManagerOptions options = manager_options(a.scheduler);
   options.stays = !a.until_idle;

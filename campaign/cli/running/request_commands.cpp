@@ -79,7 +79,7 @@ Answer submit(const SubmitArguments& a) {
   request.priority = a.priority;
   if (!a.wall_limit.empty())
     request.wall_limit_s = queries::parse_duration(a.wall_limit, "--wall-limit");
-  make_folder_of(a.database);
+  make_folder_of_database(a.database);
   const auto told = ask(a.database, request);
   Answer answer;
   answer.data = told.value_or(json{{"sweep", plan.sweep.name}});

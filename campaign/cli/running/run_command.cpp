@@ -115,14 +115,17 @@ Answer run(const RunArguments& a, Output& out) {
   }
   require_consistent(a.scheduler);
   HeldDatabase held(a.database, a.scheduler);
-  const db::AddedSweep added = sweeps::store(held.connection, plan);
-  if (a.retry_failed) db::retry_failed(held.connection, added.sweep);
+  CampaignWatch watch(name, out);
+  const db::AddedSweep added = manager::add_when_free(held.connection, watch, [&] {
+    const db::AddedSweep sweep = sweeps::store(held.connection, plan);
+    if (a.retry_failed) db::retry_failed(held.connection, sweep.sweep);
+    return sweep;
+  });
   if (const std::size_t left = manager::tally(held.connection, added.sweep).left; left > 0) {
     say_cost(out, plan, a.database);
     out.say("{}: {} jobs, {} new, {} to run\n", name, added.jobs, added.added, left);
     print_warnings(sweeps::departures(plan.sweep.scene, a.sweep.string()));
     print_warnings(sweeps::cautions(plan.scenes));
-    CampaignWatch watch(name, out);
     manager::work(held.connection, added.sweep, workplace(a.scheduler, a.share), watch);
   } else {
     out.say("{}: nothing left to do\n", name);

@@ -5,14 +5,17 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/outcome_tables.hpp"
 #include "campaign/cli/output/status_line.hpp"
+#include "campaign/cli/running/solve_folder.hpp"
 #include "campaign/job_folder/job_directory.hpp"
 #include "campaign/job_folder/log.hpp"
 #include "campaign/job_folder/result_file.hpp"
 #include "campaign/job_folder/worker_lock.hpp"
-#include "campaign/manager/local_processes.hpp"
+#include "campaign/process/cores.hpp"
 #include "campaign/process/signals.hpp"
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/scene_field.hpp"
+#include "campaign/text/given_file.hpp"
+#include "campaign/text/given_folder.hpp"
 #include "campaign/text/json_file.hpp"
 #include "campaign/worker/worker.hpp"
 #include "solver/base/file.hpp"
@@ -34,8 +37,8 @@ struct SolveArguments {
 };
 
 Scene load_scene(const SolveArguments& a) {
-  const std::string where = a.scene.string();
-  json document = sweeps::with_integers(text::load_json(a.scene));
+  const std::string where = text::given_name(a.scene);
+  json document = sweeps::with_integers(text::load_given_json(a.scene));
   require_valid(scene_schema(), document, where);
   sweeps::apply_overrides(document, a.changes.all());
   return parse_scene(sweeps::over_default_fidelity(document), where);
@@ -72,12 +75,15 @@ void add_cost(Answer& answer, const run::RunSummary& s) {
   answer.say("\n");
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem)
-    throw EnvironmentError(fmt::format("cannot make the folder {}: {}; give another to --out",
-                                       folder.string(), problem.message()));
+/// The result that an earlier call left.
+Answer answer_of(const job_folder::JobDirectory& directory) {
+  Answer answer;
+  answer.data = text::load_json(directory.result());
+  answer.data["finished"] = true;
+  const json& run = answer.data.at("run");
+  answer.say("{}: this scene is done, at {:.6g} s ({}); nothing left to do\n", directory.path,
+             run.at("end_time_s").get<double>(), run.value("end_reason", "end-time"));
+  return answer;
 }
 
 Answer report(const Scene& scene, const SolveArguments& a, const worker::Computed& computed) {
@@ -108,12 +114,16 @@ Answer solve(const SolveArguments& a) {
   const Scene scene = load_scene(a);
   print_warnings(warnings(scene));
   process::catch_stop_signals();
-  make_folder(a.directory);
   const job_folder::JobDirectory directory{a.directory};
+  require_own_folder(directory, scene);
+  text::make_given_folder(a.directory);
   const job_folder::WorkerLock lock(directory);
-  install_text(directory.scene(), to_json(scene).dump(1) + "\n");
+  require_own_folder(directory, scene);  // as whoever held the lock left it
+  if (is_done(directory, scene)) return answer_of(directory);
+  require_usable_checkpoint(directory, scene);
+  keep_scene(directory, scene, a.scene);
   job_folder::open_log(directory);
-  const int threads = a.threads > 0 ? a.threads : static_cast<int>(manager::usable_cores());
+  const int threads = a.threads > 0 ? a.threads : process::usable_threads();
   StatusLine line;
   const worker::Computed computed = worker::compute(
       scene, a.directory, threads, a.max_steps,
@@ -130,7 +140,7 @@ Action add_solve(CLI::App& app) {
   app.add_option("--out", a->directory, "folder for snapshots, history and result")->required();
   app.add_option("--max-steps", a->max_steps, "stop after so many steps (default: at the end time)")
       ->check(CLI::Range(1L, 1'000'000'000'000L));
-  app.add_option("--threads", a->threads, "threads (default: all cores)")
+  app.add_option("--threads", a->threads, "threads (default: OMP_NUM_THREADS, else all cores)")
       ->check(CLI::Range(1, most_threads));
   add_changes(app, a->changes);
   add_formats(app);

@@ -26,7 +26,7 @@ int storm(const DisturbedCampaign& campaign, std::mt19937& dice, int most) {
     test::eerie(campaign.folder(), {"retry", "--all"});  // three deaths of one job are no end here
     Program daemon(campaign.folder(), campaign.daemon_words());
     while (kills < most && daemon.running()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20 + dice() % 500));
+      std::this_thread::sleep_for(std::chrono::milliseconds(20 + dice() % 250));
       const std::vector<pid_t> workers = campaign.workers();
       if (!workers.empty() && dice() % 2 == 0) {
         if (::kill(workers[dice() % workers.size()], SIGKILL) == 0) ++kills;

@@ -33,8 +33,10 @@ TEST_F(ABatch, IsReadAsItWasInstalled) {
   EXPECT_EQ(read->array[1][0].directory.path, folder / "c");
   EXPECT_EQ(read->slurm_id, std::nullopt);
   EXPECT_EQ(read->submitted, batch.submitted);
-  install_slurm_id(batch, 1234);
-  EXPECT_EQ(read_batch(batch.folder)->slurm_id, 1234);
+  install_slurm_id(batch, {1234, ""});
+  EXPECT_EQ(read_batch(batch.folder)->slurm_id, (SlurmJobId{1234, ""}));
+  install_slurm_id(batch, {1234, "east"});
+  EXPECT_EQ(read_batch(batch.folder)->slurm_id, (SlurmJobId{1234, "east"}));
   EXPECT_THAT(read_released(batch), IsEmpty());
   install_released(batch, {2, 3});
   EXPECT_THAT(read_released(batch), ElementsAre(2, 3));

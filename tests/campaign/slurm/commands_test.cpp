@@ -50,12 +50,20 @@ TEST(ChildCommands, SayWhyOneCannotBeStarted) {
   EXPECT_THAT(end.complaint(), HasSubstr("no-such-program-of-slurm"));
 }
 
-TEST(ChildCommands, DoNotLetTheUsersDefaultsHideJobs) {
+TEST(ChildCommands, DoNotLetTheUsersDefaultsHideJobsOrReachWorkers) {
+  constexpr const char* own_settings[] = {
+      "SBATCH_PARTITION",    "SBATCH_EXPORT",     "SBATCH_CLUSTERS", "SLURM_CLUSTERS",
+      "SLURM_CPUS_PER_TASK", "SLURM_MEM_PER_CPU", "OMP_PROC_BIND",   "OMP_NUM_THREADS"};
   ::setenv("SQUEUE_STATES", "RUNNING", 1);
   ::setenv("SCANCEL_STATE", "RUNNING", 1);
   ::setenv("SLURM_CONF", "/somewhere", 1);
+  for (const char* name : own_settings) ::setenv(name, "1", 1);
   const std::string seen = run({"env"}).out;
   ::unsetenv("SQUEUE_STATES"), ::unsetenv("SCANCEL_STATE"), ::unsetenv("SLURM_CONF");
+  for (const char* name : own_settings) {
+    EXPECT_THAT(seen, testing::Not(HasSubstr(name)));
+    ::unsetenv(name);
+  }
   EXPECT_THAT(seen, testing::Not(HasSubstr("SQUEUE_STATES")));
   EXPECT_THAT(seen, testing::Not(HasSubstr("SCANCEL_STATE")));
   EXPECT_THAT(seen, HasSubstr("SLURM_CONF=/somewhere\n"));

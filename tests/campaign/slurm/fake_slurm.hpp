@@ -26,7 +26,7 @@ class FakeSlurm : public slurm::Commands {
   slurm::CommandEnd run(const std::vector<std::string>& words, std::chrono::milliseconds) override {
     calls.push_back(words);
     if (words[0] == "sbatch") return sbatch(words);
-    if (words[0] == "squeue") return squeue();
+    if (words[0] == "squeue") return squeue(value(words, "--clusters"));
     if (words[0] == "scancel") return scancel(words);
     return {0, false, "ClusterName             = fake\nMaxArraySize            = 4\n", ""};
   }
@@ -45,6 +45,7 @@ class FakeSlurm : public slurm::Commands {
   struct Job {
     std::string name;
     std::map<int, std::string> states;
+    std::string cluster = {};  ///< it is listed and cancelled there alone; empty: the usual one
   };
   std::map<int, Job> jobs;
   std::vector<std::vector<std::string>> calls;
@@ -52,6 +53,9 @@ class FakeSlurm : public slurm::Commands {
   int refuse_from = 1 << 20;  ///< submissions from this one on are refused
   bool squeue_answers = true, scancel_answers = true;
   bool manifest_came_first = true;
+  std::string cluster;     ///< to which sbatch sends jobs
+  int answers_before = 0;  ///< answers of squeue before it lists anything
+  std::string refusal = "Batch job submission failed: Invalid account";
   int next_id = 1;
 
  private:
@@ -66,26 +70,28 @@ class FakeSlurm : public slurm::Commands {
     manifest_came_first &= std::filesystem::exists(script) &&
                            std::filesystem::exists(script.parent_path() / "manifest.json");
     if (next_sbatch == Sbatch::refuses || next_id >= refuse_from)
-      return {1, false, "", "sbatch: error: Batch job submission failed: Invalid account\n"};
+      return {1, false, "", "sbatch: error: " + refusal + "\n"};
     if (next_sbatch == Sbatch::times_out) return {-1, true, "", ""};
     const int id = next_id++;
     jobs[id].name = value(words, "--job-name");
+    jobs[id].cluster = cluster;
     const int last = std::stoi(value(words, "--array").substr(2));
     for (int k = 0; k <= last; ++k) jobs[id].states[k] = "PENDING";
     if (next_sbatch == Sbatch::times_out_after_taking) return {-1, true, "", ""};
     if (next_sbatch == Sbatch::complains_after_taking)
       return {1, false, "", "sbatch: error: Socket timed out on send/recv operation\n"};
     if (next_sbatch == Sbatch::prints_nothing_we_know) return {0, false, "Bonjour\n", ""};
-    return {0, false, fmt::format("{};fake\n", id), ""};
+    return {0, false, fmt::format("{}{}\n", id, cluster.empty() ? "" : ";" + cluster), ""};
   }
 
-  slurm::CommandEnd squeue() const {
+  slurm::CommandEnd squeue(const std::string& asked) {
     if (!squeue_answers)
       return {1, false, "", "slurm_load_jobs error: Unable to contact slurm controller\n"};
     std::string out;
+    if (answers_before-- > 0) return {0, false, out, ""};
     for (const auto& [id, job] : jobs)
       for (const auto& [index, state] : job.states)
-        out += fmt::format("{}_{}|{}|{}\n", id, index, state, job.name);
+        if (job.cluster == asked) out += fmt::format("{}_{}|{}|{}\n", id, index, state, job.name);
     return {0, false, out, ""};
   }
 
@@ -93,6 +99,7 @@ class FakeSlurm : public slurm::Commands {
     if (!scancel_answers) return {1, false, "", "scancel: error: no\n"};
     const bool pending_only = words[1] == "--state=PENDING";
     const int id = std::stoi(words.back());
+    if (jobs[id].cluster != value(words, "--clusters")) return {1, false, "", "Invalid job id\n"};
     std::erase_if(jobs[id].states, [&](const auto& entry) {
       return !pending_only || entry.second == "PENDING";  // the tests cancel whole arrays
     });

@@ -9,10 +9,10 @@ using testing::Pair;
 using testing::UnorderedElementsAre;
 
 TEST(SbatchAnswer, GivesTheIdWithAndWithoutACluster) {
-  EXPECT_EQ(submitted_id("1234\n"), 1234);
-  EXPECT_EQ(submitted_id("1234;alps\n"), 1234);
-  EXPECT_EQ(submitted_id("Welcome to alps!\n1234\n"), 1234);
-  EXPECT_EQ(submitted_id(" 9000000000 \n"), 9000000000);
+  EXPECT_EQ(submitted_id("1234\n"), (SlurmJobId{1234, ""}));
+  EXPECT_EQ(submitted_id("1234;alps\n"), (SlurmJobId{1234, "alps"}));
+  EXPECT_EQ(submitted_id("Welcome to alps!\n1234\n"), (SlurmJobId{1234, ""}));
+  EXPECT_EQ(submitted_id(" 9000000000 \n"), (SlurmJobId{9000000000, ""}));
 }
 
 TEST(SbatchAnswer, GivesNoneWhereThereIsNone) {

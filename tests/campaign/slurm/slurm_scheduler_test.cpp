@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/job_folder/worker_exit.hpp"
+#include "campaign/manager/try_later.hpp"
 #include "solver/base/file.hpp"
 #include "tests/campaign/slurm/fake_slurm.hpp"
 #include "tests/io/snapshot_fixture.hpp"
@@ -26,6 +27,7 @@ class ASlurmScheduler : public testing::Test {
   ASlurmScheduler() {
     profile.poll_interval_s = 0;  // each call asks
     profile.minutes_per_array_task = 0;
+    profile.listed_within_s = 0;
   }
 
   SlurmScheduler scheduler() { return {profile, folder.path(), slurm, "/opt/eerie"}; }
@@ -249,8 +251,92 @@ TEST_F(ASlurmScheduler, ThatSbatchRefusesSaysWhyAndLeavesNothing) {
   EXPECT_EQ(batch_folders(), 0u);
   EXPECT_FALSE(s.holds(two[0]));
   slurm->next_sbatch = FakeSlurm::Sbatch::takes;
-  EXPECT_GT(s.free_slots(), 0u);
   EXPECT_THAT(s.start(two), SizeIs(2));
+}
+
+std::chrono::seconds refused_patience(SlurmScheduler& s, std::span<const manager::Task> tasks) {
+  try {
+    s.start(tasks);
+  } catch (const manager::TryLater& error) {
+    EXPECT_THAT(error.what(), HasSubstr("QOSMaxSubmitJobPerUserLimit"));
+    return error.patience;
+  }
+  ADD_FAILURE() << "started";
+  return {};
+}
+
+TEST_F(ASlurmScheduler, ThatIsRefusedTriesLaterAndWithSmallerArraysUntilOneIsTaken) {
+  profile.max_array_size = 100;
+  slurm->next_sbatch = FakeSlurm::Sbatch::refuses;
+  slurm->refusal =
+      "Batch job submission failed: Job violates accounting/QOS policy (job submit limit, "
+      "QOSMaxSubmitJobPerUserLimit)";
+  SlurmScheduler s = scheduler();
+  const auto eight = tasks(8);
+  const std::span<const manager::Task> all(eight);
+  EXPECT_EQ(refused_patience(s, all), 10s);
+  EXPECT_EQ(s.free_slots(), 0u) << "before the time that it waits is over";
+  EXPECT_EQ(refused_patience(s, all.first(4)), 20s);
+  EXPECT_EQ(refused_patience(s, all.first(2)), 40s);
+  for (int k = 0; k < 10; ++k) refused_patience(s, all.first(1));
+  EXPECT_EQ(refused_patience(s, all.first(1)), 600s);
+  slurm->next_sbatch = FakeSlurm::Sbatch::takes;
+  const std::size_t calls = slurm->calls_of("sbatch").size();
+  s.start(all.first(3));
+  EXPECT_THAT(slurm->calls_of("sbatch")[calls], Contains("--array=0-0"));
+  s.start(all.subspan(3, 4));
+  EXPECT_THAT(slurm->calls_of("sbatch").back(), Contains("--array=0-3")) << "it dares more again";
+}
+
+TEST_F(ASlurmScheduler, ConcludesNothingWhileSqueueMayNotListANewJobYet) {
+  profile.listed_within_s = 3600;
+  SlurmScheduler s = scheduler();
+  const auto one = tasks(1);
+  slurm->answers_before = 20;
+  s.start(one);
+  for (int k = 0; k < 20; ++k) EXPECT_THAT(s.wait(0ms), IsEmpty());
+  EXPECT_TRUE(s.holds(one[0]));
+  slurm->forget_all();  // it was listed: now its absence means something
+  s.wait(0ms);
+  EXPECT_THAT(s.wait(0ms), SizeIs(1));
+  EXPECT_THAT(slurm->calls_of("sbatch"), SizeIs(1));
+}
+
+TEST_F(ASlurmScheduler, TakesTheResultOfAJobThatWasOverBeforeItWasListed) {
+  profile.listed_within_s = 3600;
+  SlurmScheduler s = scheduler();
+  const auto one = tasks(1);
+  slurm->answers_before = 1000;
+  s.start(one);
+  finish(one[0]), note(one[0], 0);
+  EXPECT_THAT(s.wait(0ms), SizeIs(1));
+  EXPECT_FALSE(s.holds(one[0]));
+}
+
+TEST_F(ASlurmScheduler, DoesNotRepeatASubmissionThatFailedAfterItWasTakenAndIsListedLate) {
+  profile.listed_within_s = 3600;
+  SlurmScheduler s = scheduler();
+  const auto one = tasks(1);
+  slurm->next_sbatch = FakeSlurm::Sbatch::complains_after_taking;
+  slurm->answers_before = 9;
+  EXPECT_THROW(s.start(one), manager::SchedulerUnavailable);
+  for (int k = 0; k < 12; ++k) EXPECT_TRUE(s.holds(one[0]));
+  EXPECT_EQ(read_file(batch_folder() / "slurm_id"), "1\n");
+  EXPECT_THAT(slurm->calls_of("sbatch"), SizeIs(1));
+}
+
+TEST_F(ASlurmScheduler, FollowsAJobToTheClusterThatSbatchNames) {
+  slurm->cluster = "east";
+  const auto two = tasks(2);
+  scheduler().start(two);
+  EXPECT_EQ(read_file(batch_folder() / "slurm_id"), "1;east\n");
+  SlurmScheduler second = scheduler();
+  for (int k = 0; k < 5; ++k) EXPECT_TRUE(second.holds(two[0]));
+  EXPECT_THAT(slurm->calls_of("squeue").back(), Contains("--clusters=east"));
+  second.stop(two, manager::StopKind::at_once);
+  EXPECT_THAT(slurm->calls_of("scancel"),
+              ElementsAre(ElementsAre("scancel", "--clusters=east", "1_[0-1]")));
+  EXPECT_TRUE(slurm->jobs[1].states.empty());
 }
 
 TEST_F(ASlurmScheduler, FindsASubmissionThatWasTakenThoughSbatchFailed) {
