@@ -9,9 +9,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "solver/base/destination.hpp"
 #include "solver/base/disk.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/files/destination.hpp"
 #include "solver/base/kill_point.hpp"
 
 namespace eerie {
