@@ -8,7 +8,7 @@
 
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/job_folder/provenance.hpp"
-#include "campaign/manager/patience.hpp"
+#include "campaign/manager/waiting/patience.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/simd.hpp"
 

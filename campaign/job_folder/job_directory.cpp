@@ -12,7 +12,7 @@
 #include "db/store/settings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
-#include "solver/base/folders.hpp"
+#include "solver/base/files/folders.hpp"
 
 namespace eerie::job_folder {
 namespace fs = std::filesystem;

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/manager/patience.hpp"
 #include "campaign/manager/status_file.hpp"
+#include "campaign/manager/waiting/patience.hpp"
 #include "campaign/process/cores.hpp"
 #include "campaign/process/signals.hpp"
 

@@ -20,7 +20,7 @@
 #include "db/store/place.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
-#include "solver/base/folders.hpp"
+#include "solver/base/files/folders.hpp"
 #include "solver/base/kill_point.hpp"
 
 namespace eerie::manager {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "campaign/manager/patience.hpp"
+#include "campaign/manager/waiting/patience.hpp"
 #include "db/store/error.hpp"
 #include "db/store/settings.hpp"
 #include "solver/base/error.hpp"

@@ -10,7 +10,7 @@
 #include "campaign/job_folder/result_file.hpp"
 #include "campaign/manager/attempts/half_written.hpp"
 #include "campaign/manager/manager.hpp"
-#include "campaign/manager/try_later.hpp"
+#include "campaign/manager/waiting/try_later.hpp"
 #include "db/store/error.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "solver/base/file.hpp"
-#include "solver/base/folders.hpp"
+#include "solver/base/files/folders.hpp"
 
 namespace eerie::slurm {
 namespace fs = std::filesystem;

@@ -10,7 +10,7 @@
 
 #include "campaign/job_folder/worker_exit.hpp"
 #include "campaign/job_folder/worker_lock.hpp"
-#include "campaign/manager/try_later.hpp"
+#include "campaign/manager/waiting/try_later.hpp"
 #include "campaign/process/environment.hpp"
 #include "campaign/process/signals.hpp"
 #include "campaign/slurm/packing.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "solver/base/error.hpp"
-#include "solver/base/folders.hpp"
+#include "solver/base/files/folders.hpp"
 
 namespace eerie::text {
 namespace fs = std::filesystem;

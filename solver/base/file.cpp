@@ -9,8 +9,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "solver/base/destination.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/files/destination.hpp"
 #include "solver/base/free_space.hpp"
 #include "solver/base/kill_point.hpp"
 

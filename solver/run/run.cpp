@@ -9,7 +9,7 @@
 #include <string>
 
 #include "solver/base/error.hpp"
-#include "solver/base/folders.hpp"
+#include "solver/base/files/folders.hpp"
 #include "solver/run/beginning.hpp"
 #include "solver/run/checkpoints.hpp"
 #include "solver/step/late.hpp"

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "solver/base/error.hpp"
-#include "solver/base/folders.hpp"
+#include "solver/base/files/folders.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
 namespace eerie {

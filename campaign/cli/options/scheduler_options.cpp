@@ -6,7 +6,7 @@
 #include "campaign/cli/output/files.hpp"
 #include "campaign/job_folder/log.hpp"
 #include "campaign/manager/local_processes.hpp"
-#include "campaign/manager/patience.hpp"
+#include "campaign/manager/waiting/patience.hpp"
 #include "campaign/process/signals.hpp"
 #include "campaign/slurm/profile.hpp"
 #include "campaign/slurm/slurm_scheduler.hpp"

@@ -78,7 +78,7 @@ void expect_nothing_lost(const DiskModel::State& state, const Acknowledged& told
     EXPECT_EQ(campaign.number("SELECT count(*) FROM jobs"), jobs);
     for (const std::string& job : told.jobs)
       EXPECT_EQ(campaign.number("SELECT count(*) FROM results JOIN jobs ON jobs.id = job_id "
-                                "WHERE state = 'done' AND hash LIKE '" +
+                                "WHERE state = 'done' AND jobs.hash LIKE '" +
                                 job + "%'"),
                 1)
           << job << " was done";
@@ -88,7 +88,7 @@ void expect_nothing_lost(const DiskModel::State& state, const Acknowledged& told
   campaign.expect_whole();
   for (const std::string& job : told.jobs)
     EXPECT_EQ(campaign.number("SELECT count(*) FROM attempts JOIN jobs ON jobs.id = job_id "
-                              "WHERE exit_reason = 'finished' AND hash LIKE '" +
+                              "WHERE exit_reason = 'finished' AND jobs.hash LIKE '" +
                               job + "%'"),
               1)
         << job << " was computed again";

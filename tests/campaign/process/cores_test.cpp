@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "solver/base/file.hpp"
-#include "solver/base/folders.hpp"
+#include "solver/base/files/folders.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
 namespace eerie::process {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/job_folder/worker_exit.hpp"
-#include "campaign/manager/try_later.hpp"
+#include "campaign/manager/waiting/try_later.hpp"
 #include "solver/base/file.hpp"
 #include "tests/campaign/slurm/fake_slurm.hpp"
 #include "tests/io/snapshot_fixture.hpp"

@@ -1,4 +1,4 @@
-#include "solver/base/folders.hpp"
+#include "solver/base/files/folders.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "solver/base/destination.hpp"
+#include "solver/base/files/destination.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

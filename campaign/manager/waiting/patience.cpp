@@ -1,4 +1,4 @@
-#include "campaign/manager/patience.hpp"
+#include "campaign/manager/waiting/patience.hpp"
 
 #include <fmt/format.h>
 
