@@ -34,6 +34,7 @@ Action add_check(CLI::App& app);
 Action add_disk(CLI::App& app);
 Action add_lightcurve(CLI::App& app);
 Action add_map(CLI::App& app);
+Action add_manual(CLI::App& app);
 Action add_worker(CLI::App& app);      ///< hidden
 Action add_slurm_task(CLI::App& app);  ///< hidden
 
