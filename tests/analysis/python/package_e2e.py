@@ -10,6 +10,7 @@ import tomllib
 import unittest
 
 import small_campaign
+import yaml
 
 
 class Package(unittest.TestCase):
@@ -38,6 +39,15 @@ class Package(unittest.TestCase):
     def test_its_version_is_that_of_the_program(self):
         words = small_campaign.program("--version").split()
         self.assertEqual(self.version(), words[1], "analysis/python/pyproject.toml lags behind")
+
+    def test_the_citation_names_this_version_and_the_paper(self):
+        citation = yaml.safe_load((small_campaign.SOURCE / "CITATION.cff").read_text())
+        self.assertEqual(citation["version"], self.version())
+        self.assertEqual(citation["type"], "software")
+        paper = citation["references"][0]
+        self.assertEqual([author["family-names"] for author in paper["authors"]],
+                         ["Sugiura", "Kobayashi", "Inutsuka"])  # fmt: skip
+        self.assertEqual((paper["year"], paper["volume"], paper["start"]), (2019, 328, 14))
 
     def test_types_are_whole(self):
         checked = subprocess.run(
