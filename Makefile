@@ -3,8 +3,9 @@
 BUILD ?= build
 JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
-.PHONY: help run build test validate reference bench scale settled results test-faults sanitize odr fuzz format tidy clean packages-run packages-test packages-fuzz
+.PHONY: help run build test validate reference bench scale settled results test-faults sanitize odr fuzz format tidy install deb test-deb clean packages-run packages-test packages-fuzz packages-deb
 FUZZ_SECONDS ?= 600
+PREFIX ?= /usr/local
 
 help:   ## this list
 	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 14
@@ -87,6 +88,22 @@ fuzz: packages-fuzz  ## throw mutated files at every reader, FUZZ_SECONDS (600) 
 	@grep -oh '"[A-Za-z_0-9.-]*"' solver/scene/scene.schema.json campaign/sweeps/sweep.schema.json | sort -u > $(BUILD)-fuzz/words.dict
 	@printf '%s\n' sweep scene result checkpoint catalogue | xargs -n 1 -P $(JOBS) tests/fuzz/run.sh $(BUILD)-fuzz $(FUZZ_SECONDS)
 
+install: build  ## install program, man pages, completions, sweeps and documentation below PREFIX (/usr/local)
+	@cmake --build $(BUILD) -j $(JOBS) --target eerie_manual -- --quiet
+	@cmake --install $(BUILD) --prefix $(PREFIX) --component program > /dev/null
+
+deb: packages-deb  ## build Debian packages, eerie and python3-eerie, for x86-64 machines since 2013: build-deb/packages
+	@cmake -S . -B $(BUILD)-deb -G Ninja -DEERIE_TESTS=OFF -DEERIE_NATIVE=OFF -DEERIE_ARCH=x86-64-v3 \
+	  -DEERIE_PYTHON=ON -DCMAKE_INSTALL_PREFIX=/usr -DCMAKE_SKIP_RPATH=ON > /dev/null
+	@cmake --build $(BUILD)-deb -j $(JOBS) -- --quiet
+	@cpack --config $(BUILD)-deb/CPackConfig.cmake -B $(BUILD)-deb/packages > $(BUILD)-deb/cpack.log || { cat $(BUILD)-deb/cpack.log; exit 1; }
+	@rm -rf $(BUILD)-deb/packages/_CPack_Packages && ls $(BUILD)-deb/packages/*.deb
+
+test-deb: deb  ## install, run, upgrade and remove the packages in a fresh Debian 12 root (as root; needs a mirror)
+	@.ci/packages deb-test
+	@cpack --config $(BUILD)-deb/CPackConfig.cmake -B $(BUILD)-deb/newer -D CPACK_DEBIAN_PACKAGE_RELEASE=2 > $(BUILD)-deb/cpack.log
+	@.ci/deb/test $(BUILD)-deb/packages $(BUILD)-deb/newer
+
 format:  ## lay out the sources with clang-format
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
 
@@ -96,10 +113,10 @@ tidy:  ## check the sources with clang-tidy (slow; needs clang-tidy)
 	@git ls-files '*.cpp' | grep -v ^tests/ | xargs -n 1 -P $(JOBS) clang-tidy -p $(BUILD)-tidy --quiet
 
 clean:  ## remove what was built; results stay
-	@rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-tsan $(BUILD)-odr $(BUILD)-fuzz
+	@rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-tsan $(BUILD)-odr $(BUILD)-fuzz $(BUILD)-deb
 
 $(BUILD)/build.ninja:
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=OFF > /dev/null
 
-packages-run packages-test packages-fuzz:
+packages-run packages-test packages-fuzz packages-deb:
 	@.ci/packages $(@:packages-%=%)

@@ -9,6 +9,7 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/job_folder/provenance.hpp"
 #include "campaign/manager/waiting/patience.hpp"
+#include "db/store/migrations.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/simd.hpp"
 
@@ -143,6 +144,11 @@ constexpr Command commands[] = {
      "  eerie disk --r 30 --alpha 1e-3 --json\n"
      "  eerie disk -o disk --format svg --format pdf",
      add_disk},
+    {"manual", "Print man pages, and completions for bash, zsh and fish",
+     "  eerie manual run | man -l -\n"
+     "  eerie manual --completion bash > ~/.local/share/bash-completion/completions/eerie\n"
+     "  eerie manual -o manual",
+     add_manual},
     {"worker", "Run the job of a directory", nullptr, add_worker},
     {"slurm-task", "Run the jobs of an array task of Slurm", nullptr, add_slurm_task},
 };
@@ -192,13 +198,27 @@ int exit_of_parser(const CLI::App& app, const CLI::ParseError& error, Output& ou
   return error.get_exit_code() == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
 }
 
+/// --version, and --version --json.
+void add_version(CLI::App& app) {
+  const CLI::Option* json = app.add_flag("--json")->description("with --version: print JSON");
+  CLI::Option* version = app.set_version_flag("--version", [json] {
+    const job_folder::Provenance made = job_folder::provenance();
+    if (json->count() == 0)
+      return fmt::format("eerie {} ({}), {}", made.version, made.commit, vector_variant);
+    nlohmann::json document = job_folder::to_json(made);
+    document.erase("host");
+    document["vector"] = vector_variant;
+    document["database_version"] = db::latest_version();
+    return document.dump(1);
+  });
+  app.get_option("--json")->needs(version);
+}
+
 int run_command(int argc, char** argv, Output& out) {
   CLI::App app(
       "eerie explores impacts of planetesimals that leave extremely elongated remnants (EERs).",
       "eerie");
-  app.set_version_flag("--version",
-                       fmt::format("eerie {} ({}), {}", job_folder::provenance().version,
-                                   job_folder::provenance().commit, vector_variant));
+  add_version(app);
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 some job failed, 2 bad input, 3 environment, 130 stopped by Ctrl-C.\n"

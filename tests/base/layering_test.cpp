@@ -48,6 +48,7 @@ const std::map<std::string, Rooms> allowed = {
      {"analysis/drawing", "analysis/remnants", "analysis/shapes", "solver/io"}},
 
     {"campaign/text", {}},
+    {"campaign/manual", {}},
     {"campaign/process", {}},
     {"campaign/sweeps", {"campaign/text", "db/store", "db/jobs"}},
     {"campaign/job_folder",

@@ -105,6 +105,8 @@ class EveryCommand : public testing::Test {
             {"converge", "converge.json", "-o", "converge", "--db", "studies.sqlite"},
             {"chart", "chart.json", "-o", "chart.svg", "--db", "studies.sqlite"},
             {"disk"},
+            {"manual", "run"},
+            {"manual", "--completion", "zsh"},
             {"--help"},
             {"--version"}};
   }

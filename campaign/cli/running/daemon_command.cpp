@@ -3,6 +3,7 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/options/scheduler_options.hpp"
 #include "campaign/cli/output/files.hpp"
+#include "campaign/cli/running/notices.hpp"
 #include "campaign/cli/running/serve_options.hpp"
 #include "campaign/job_folder/log.hpp"
 #include "campaign/job_folder/provenance.hpp"
@@ -20,6 +21,7 @@ struct DaemonArguments {
   SchedulerArguments scheduler;
   bool until_idle = false, serve = false;
   serve::DashboardOptions dashboard;
+  std::shared_ptr<NoticeArguments> notices;
 };
 
 Answer daemon(const DaemonArguments& a, Output& out) {
@@ -58,8 +60,11 @@ Answer daemon(const DaemonArguments& a, Output& out) {
           a.database);
   process::notify_service_manager("READY=1");
   manager::StatusFile status(a.database);
-  manager.run(process::stop_requests,
-              [&](const manager::CampaignView& view) { status.show(view); });
+  IdleNews news(*a.notices, a.database);
+  manager.run(process::stop_requests, [&](const manager::CampaignView& view) {
+    status.show(view);
+    news.look(view);
+  });
   process::notify_service_manager("STOPPING=1");
   spdlog::info("event=daemon-ends");
   return {};
@@ -79,8 +84,9 @@ Action add_daemon(CLI::App& app) {
   app.add_flag("--serve", a->serve, "show the database in the browser meanwhile (eerie serve)");
   add_dashboard(app, a->dashboard);
   app.add_flag("--until-idle", a->until_idle, "end when nothing is left to do");
+  a->notices = add_notify(app);
   app.add_flag("--quiet")->description("print nothing but complaints");
-  return [a](Output& out) { return daemon(*a, out); };
+  return with_news_of_end([a](Output& out) { return daemon(*a, out); }, a->notices, a->database);
 }
 
 }  // namespace eerie::cli

@@ -3,6 +3,7 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/campaign_watch.hpp"
 #include "campaign/cli/output/failures.hpp"
+#include "campaign/cli/running/notices.hpp"
 #include "campaign/cli/running/run_arguments.hpp"
 #include "campaign/maps/map.hpp"
 #include "campaign/overview/campaign_look.hpp"
@@ -157,8 +158,9 @@ Action add_run(CLI::App& app) {
       app.add_option("--finest", a->finest,
                      "with --fidelity auto: the last rung that it climbs (default: fine)")};
   add_scheduler(app, a->scheduler);
+  const auto notices = add_notify(app);
   add_formats(app);
-  return [a](Output& out) { return run(*a, out); };
+  return with_news_of_end([a](Output& out) { return run(*a, out); }, notices, a->database);
 }
 
 }  // namespace eerie::cli
