@@ -16,8 +16,10 @@ struct ManualArguments {
 Answer write_all(const manual::CommandPage& program, const std::string& version,
                  const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
+  text::make_given_folder(folder);
   for (const manual::ManualFile& file : manual::manual_files(program, version)) {
     files.push_back(folder / file.path);
+    text::make_given_folder(files.back().parent_path());
     install(files.back(), file.text);
   }
   Answer answer;
