@@ -77,7 +77,7 @@ void expect_nothing_lost(const DiskModel::State& state, const Acknowledged& told
     expect_nothing_but_unfinished_work(doctor.out);
     EXPECT_EQ(campaign.number("SELECT count(*) FROM jobs"), jobs);
     for (const std::string& job : told.jobs)
-      EXPECT_EQ(campaign.number("SELECT count(*) FROM results JOIN jobs ON jobs.id = job_id "
+      EXPECT_EQ(campaign.number("SELECT count(*) FROM job_results JOIN jobs ON jobs.id = job_id "
                                 "WHERE state = 'done' AND jobs.hash LIKE '" +
                                 job + "%'"),
                 1)
