@@ -83,6 +83,7 @@ void apply_override(json& scene, const std::string& path_and_value) {
   if (field.schema->value("type", "") != "string") {
     const json parsed = json::parse(text, nullptr, false);
     if (parsed.is_number()) value = canonical_number(parsed.get<double>());
+    if (parsed.is_boolean()) value = parsed;
   }
   require_valid(*field.schema, value, "--set " + field.path);
   set_field(scene, field.path, std::move(value));

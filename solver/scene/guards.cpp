@@ -31,7 +31,7 @@ const Guard guards[] = {
     {"numerics.cfl", [](const Scene& s) { return s.numerics.cfl; },
      [](const Scene& s) { return s.numerics.cfl > restful_cfl(s.numerics); },
      "bodies do not come to rest and viscosity carries load that friction cannot feel; use 0.5 "
-     "(0.4 where viscosity_alpha is below 0.5)"},
+     "(0.4 where viscosity_alpha is below 0.5), 0.8 by leapfrog-pece, 1.1 by staggered"},
     {"numerics.gravity_tolerance", [](const Scene& s) { return s.numerics.gravity_tolerance; },
      [](const Scene& s) { return s.numerics.gravity_tolerance > 1e-3; },
      "time step and gravity are held for too long; use 1e-4"},

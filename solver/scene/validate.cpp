@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -23,7 +24,10 @@ namespace {
 std::string allowed_values(const json& leaf) {
   if (leaf.contains("enum")) {
     std::vector<std::string> words;
-    for (const json& word : leaf["enum"]) words.push_back(word.dump());
+    // Former words are read, for what was written with them, and offered to nobody.
+    const json former = leaf.value("former", json::array());
+    for (const json& word : leaf["enum"])
+      if (std::ranges::find(former, word) == former.end()) words.push_back(word.dump());
     return fmt::format("must be one of {}", fmt::join(words, ", "));
   }
   std::vector<std::string> bounds;
@@ -105,10 +109,8 @@ std::string first_fault(const json& schema, const json& document, const std::str
   }
   if (type == "boolean" && !document.is_boolean()) return fault("must be true or false");
   if (schema.contains("enum")) {
-    // Former words are read, for what was written with them, and offered to nobody.
-    for (const char* list : {"enum", "former"})
-      for (const json& word : schema.value(list, json::array()))
-        if (word == document) return "";
+    for (const json& word : schema["enum"])
+      if (word == document) return "";
     return fault(allowed_values(schema));
   }
   if (type == "number" || type == "integer") {

@@ -229,10 +229,13 @@ TEST(Run, AFolderThatCannotBeMadeIsNamed) {
 
 TEST(Run, ThatFailsLeavesItsLastGoodCheckpointFromWhichItFailsAgainAlike) {
   // Ten times the sound speed, no viscosity, steps three times too long.
-  const Scene scene =
-      short_impact({{"impact", {{"v_imp_cm_per_s", 3000}, {"theta_imp_deg", 0}}},
-                    {"numerics", {{"cfl", 0.9}, {"viscosity_alpha", 0}, {"viscosity_beta", 0}}},
-                    {"output", {{"history_interval_s", 1}}}});
+  const Scene scene = short_impact({{"impact", {{"v_imp_cm_per_s", 3000}, {"theta_imp_deg", 0}}},
+                                    {"numerics",
+                                     {{"scheme", "libersky-petschek-2018"},
+                                      {"cfl", 0.9},
+                                      {"viscosity_alpha", 0},
+                                      {"viscosity_beta", 0}}},
+                                    {"output", {{"history_interval_s", 1}}}});
   const TemporaryFolder folder;
   const auto failure = [&] {
     try {
@@ -276,8 +279,9 @@ TEST(Run, GoesOnUntilNothingWillMeetAndEndsAtTheSameMomentWhenInterrupted) {
 }
 
 TEST(Run, WritesItsSnapshotsWhileItWaits) {
-  const Scene scene = short_impact(
-      {{"end", {{"time_s", 60}, {"latest_s", 66}}}, {"output", {{"snapshot_interval_s", 2}}}});
+  const Scene scene = short_impact({{"numerics", {{"cfl", 0.5}}},
+                                    {"end", {{"time_s", 60}, {"latest_s", 66}}},
+                                    {"output", {{"snapshot_interval_s", 2}}}});
   RunOptions options;
   options.will_meet = [](const io::Snapshot&) { return true; };
   const TemporaryFolder folder;
@@ -300,8 +304,11 @@ TEST(Run, EndsAtTheLatestTimeWhateverWillMeet) {
 }
 
 TEST(Run, EndsOnceItHasSettledWithTheSameBitsAndTheSameStepsAsOneThatGoesOn) {
-  const Scene going_on = short_impact({{"end", {{"time_s", 60}}}});
-  const Scene settling = short_impact({{"end", {{"time_s", 60}, {"settled", {{"window_s", 40}}}}}});
+  // Cycles shorter than the 5 s between two looks.
+  const nlohmann::json steps_of = {{"cfl", 0.5}};
+  const Scene going_on = short_impact({{"numerics", steps_of}, {"end", {{"time_s", 60}}}});
+  const Scene settling = short_impact(
+      {{"numerics", steps_of}, {"end", {{"time_s", 60}, {"settled", {{"window_s", 40}}}}}});
   RunOptions options;
   std::vector<double> looks;
   options.look = [&](const io::Snapshot& s, const LookQuestion&) -> LookAnswer {

@@ -59,7 +59,7 @@ TEST(Scene, HasTheViscosityOfThePaperAtAnyParticleNumber) {
     EXPECT_NEAR(scene.numerics.viscosity_alpha * ratio * h, 2.188, 0.001) << n;
     EXPECT_NEAR(scene.numerics.viscosity_beta * ratio * ratio * h * h, 2 * 2.188 * 2.188, 0.005);
   }
-  EXPECT_EQ(viscosity_length_ratio(parse_scene(json::object())), 1);
+  EXPECT_EQ(viscosity_length_ratio(parse_scene({{"numerics", {{"viscosity_particles", 0}}}})), 1);
 }
 
 TEST(Scene, HasOneHashForOneNumberHoweverItIsSpelt) {
@@ -81,7 +81,7 @@ TEST(Scene, HasAnotherHashForEveryFieldThatDecidesTheResult) {
 
 TEST(Scene, KeepsTheHashOfResultsFromBeforeItCouldSettle) {
   const Scene first_light = parse_scene(json::parse(
-      R"({"numerics": {"particles_per_target": 1000}, "end": {"time_s": 30000},
+      R"({"numerics": {"scheme": "dual", "particles_per_target": 1000}, "end": {"time_s": 30000},
           "impact": {"q": 1, "v_imp_cm_per_s": 15, "theta_imp_deg": 10},
           "material": {"drucker_prager": {"phi_d_deg": 40}}})"));
   EXPECT_EQ(scene_hash(first_light),

@@ -17,7 +17,6 @@ using nlohmann::json;
 Scene thick(double alpha) {
   return test::small_scene({{"environment", {{"self_gravity", false}}},
                             {"material", {{"rheology", "fluid"}}},
-                            {"impact", {{"v_imp_cm_per_s", 0.001}}},
                             {"numerics",
                              {{"scheme", "closing-gaps"},
                               {"viscosity_alpha", alpha},

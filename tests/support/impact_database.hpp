@@ -17,9 +17,7 @@ namespace eerie::test {
 /// A scene file of the fidelity "survey".
 inline nlohmann::json survey_scene(double q, double phi_d_deg, double v_imp_cm_per_s,
                                    double theta_imp_deg, int seed) {
-  nlohmann::json scene;
-  for (const sweeps::Fidelity& fidelity : sweeps::fidelities)
-    if (std::string(fidelity.name) == "survey") scene = nlohmann::json::parse(fidelity.settings);
+  nlohmann::json scene = sweeps::settings_of("survey");
   scene["impact"] = {
       {"q", q}, {"v_imp_cm_per_s", v_imp_cm_per_s}, {"theta_imp_deg", theta_imp_deg}};
   scene["material"]["drucker_prager"]["phi_d_deg"] = phi_d_deg;

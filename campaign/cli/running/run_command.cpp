@@ -5,10 +5,10 @@
 #include "campaign/cli/output/failures.hpp"
 #include "campaign/cli/running/notices.hpp"
 #include "campaign/cli/running/run_arguments.hpp"
+#include "campaign/facts/finding.hpp"
 #include "campaign/maps/map.hpp"
 #include "campaign/overview/campaign_look.hpp"
 #include "campaign/overview/estimate.hpp"
-#include "campaign/results/finding.hpp"
 #include "campaign/results/results_table.hpp"
 #include "campaign/results/view_tables.hpp"
 #include "campaign/sweeps/fidelity.hpp"
@@ -76,7 +76,7 @@ Answer report(const db::Connection& connection, const RunArguments& a, std::int6
   answer.add(results::results_table(results), results::legend_of(results));
   if (const std::string drift = results::drift_warning(results); !drift.empty())
     print_warnings({drift});
-  answer.say("\n{}", results::finding(results));
+  answer.say("\n{}", facts::finding(results));
   answer.say("{} of {} jobs done{}{}\n", t.done, t.total,
              t.failed > 0 ? fmt::format(", {} failed", t.failed) : "",
              t.left > 0 ? fmt::format(", {} left", t.left) : "");

@@ -43,7 +43,7 @@ TEST_F(SettingsChoice, NamesTheFieldsThatDifferAndNoOthers) {
   add({{"numerics", {{"cfl", 0.5}}}});
   add({{"numerics", {{"cfl", 0.6}}}, {"end", {{"time_s", 50000}}}});
   const std::string text = settings_choices(connection, ids());
-  EXPECT_THAT(text, HasSubstr("end.time_s=60000, numerics.cfl=0.5\n"));
+  EXPECT_THAT(text, HasSubstr("end.time_s=100000, numerics.cfl=0.5\n"));
   EXPECT_THAT(text, HasSubstr("end.time_s=50000, numerics.cfl=0.6"));
   EXPECT_THAT(text, Not(HasSubstr("scheme")));
 }

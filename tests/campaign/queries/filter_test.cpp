@@ -95,7 +95,8 @@ TEST_F(Filtered, SaysWhatIsWrongWithAFilter) {
   EXPECT_THAT(refusal(View::results, sweep), HasSubstr("has no sweep of this name"));
   Filter fidelity;
   fidelity.fidelity = "sharp";
-  EXPECT_THAT(refusal(View::results, fidelity), HasSubstr("must be one of sketch, survey, paper"));
+  EXPECT_THAT(refusal(View::results, fidelity),
+              HasSubstr("must be one of sketch, survey, standard, fine, paper"));
 }
 
 TEST_F(Filtered, ColumnsAndKeysAreThoseOfTheView) {

@@ -25,6 +25,7 @@ class ReanalysisTest : public testing::Test {
     fs::create_directories(directory.path);
     const Computed computed = compute(scene, directory.path, 1, 0, {});
     remnants::Analysis plain = computed.analysis;
+    shape_class = shapes::name(plain.details.front().shape_class);
     plain.details.clear();
     install_text(directory.result(),
                  job_folder::result_json(scene, computed.summary, plain).dump());
@@ -38,6 +39,7 @@ class ReanalysisTest : public testing::Test {
   Scene scene = test::short_impact();
   db::Connection connection{folder / "a.sqlite", db::Access::write};
   job_folder::JobDirectory directory;
+  std::string shape_class;  ///< as an analysis at the end of the run has it
 };
 
 TEST_F(ReanalysisTest, TellsWhatTheOlderAnalysisDidNot) {
@@ -48,7 +50,7 @@ TEST_F(ReanalysisTest, TellsWhatTheOlderAnalysisDidNot) {
   EXPECT_EQ(report.analysed, 1u);
   EXPECT_THAT(report.skipped, testing::IsEmpty());
   const db::Remnant after = db::remnants(connection, 1).front();
-  EXPECT_EQ(after.shape_class, "spherical");
+  EXPECT_EQ(after.shape_class, shape_class);
   EXPECT_TRUE(after.details[1]);
   EXPECT_NEAR(*after.b_over_a, *before.b_over_a, 1e-6);
   const db::ResultRow again = db::results(connection, {}).front();
@@ -57,7 +59,7 @@ TEST_F(ReanalysisTest, TellsWhatTheOlderAnalysisDidNot) {
   EXPECT_EQ(again.result.outcome_class, result.result.outcome_class);
   const auto file = job_folder::read_result(directory, scene_hash(scene));
   ASSERT_TRUE(file);
-  EXPECT_EQ(file->remnants.front().shape_class, "spherical");
+  EXPECT_EQ(file->remnants.front().shape_class, shape_class);
 }
 
 TEST_F(ReanalysisTest, LeavesAResultAloneWhoseSnapshotIsGone) {
@@ -74,7 +76,7 @@ TEST_F(ReanalysisTest, DoesWithoutDepthsWhereTheFirstSnapshotIsDamaged) {
   install_text(directory.first_snapshot(), "torn");
   EXPECT_EQ(reanalyse(connection, [](std::size_t, std::size_t) {}).analysed, 1u);
   const db::Remnant after = db::remnants(connection, 1).front();
-  EXPECT_EQ(after.shape_class, "spherical");
+  EXPECT_EQ(after.shape_class, shape_class);
   EXPECT_FALSE(after.details[10]) << db::remnant_detail_columns[10];
 }
 

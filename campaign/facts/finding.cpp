@@ -1,4 +1,4 @@
-#include "campaign/results/finding.hpp"
+#include "campaign/facts/finding.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "analysis/remnants/remnants.hpp"
 #include "solver/base/constants.hpp"
 
-namespace eerie::results {
+namespace eerie::facts {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::string finding(const std::vector<db::ResultRow>& rows) {
   return text;
 }
 
-}  // namespace eerie::results
+}  // namespace eerie::facts

@@ -1,8 +1,8 @@
-#include "campaign/results/finding.hpp"
+#include "campaign/facts/finding.hpp"
 
 #include <gtest/gtest.h>
 
-namespace eerie::results {
+namespace eerie::facts {
 namespace {
 
 db::ResultRow row(double phi_d, double v, double theta, int n_eer) {
@@ -37,4 +37,4 @@ TEST(Finding, HasOneSentencePerMassRatioAndFriction) {
 }
 
 }  // namespace
-}  // namespace eerie::results
+}  // namespace eerie::facts
