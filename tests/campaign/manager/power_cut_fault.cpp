@@ -30,7 +30,8 @@ std::string script() {
   const std::string eerie = "'" + test::program().string() + "'";
   return "exec >> said 2>&1\nexport ASAN_OPTIONS=detect_leaks=0\n" + eerie +
          " submit sweep.json && echo acknowledged: sweep\n" + eerie +
-         " daemon --until-idle --workers 2 --min-free-mb 0 &\n" + eerie +
+         " daemon --until-idle --workers 2 --min-free-mb 0 &\n" +
+         "until grep -q event=daemon said || ! kill -0 $!; do sleep 0.02; done\n" + eerie +
          " priority 7 --all && echo acknowledged: priority\nwait\n";
 }
 
@@ -108,8 +109,10 @@ TEST(PowerCuts, LoseNothingThatWasAcknowledged) {
   } catch (const test::NoTracing& error) {
     GTEST_SKIP() << error.what();
   }
-  campaign.expect_whole();
+  ASSERT_EQ(Acknowledged(read_file(folder / "said")).jobs.size(), static_cast<std::size_t>(jobs))
+      << read_file(folder / "said");
   ASSERT_THAT(read_file(folder / "said"), HasSubstr("acknowledged: priority"));
+  campaign.expect_whole();
 
   std::mt19937 dice(static_cast<unsigned>(test::from_environment("EERIE_FAULT_SEED", 1)));
   std::string said;
