@@ -96,7 +96,7 @@ void Trial::operator()(const ShapeLasts& claim) {
                             only().runs.size());
   f_.to_run = run_point(fact_, only().at, first_seeds, settings_, database_,
                         fmt::format("--set end.time_s={:.0f} --set end.settled.window_s=0 --set "
-                                    "numerics.late_sound_speed=1",
+                                    "numerics.late_sound_speed=1 --set numerics.rigid_flight=false",
                                     claim.until_s));
 }
 

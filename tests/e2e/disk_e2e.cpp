@@ -63,16 +63,16 @@ TEST_F(Disk, AnswersInJsonWhatItWasAsked) {
 
 TEST_F(Disk, DrawsBothFiguresAndWritesTheirNumbers) {
   const Ended ended = disk(
-      {"-o", "new/disk", "--format", "svg", "--format", "png", "--r-range", "0.5:50", "--json"});
+      {"-o", "disk", "--format", "svg", "--format", "png", "--r-range", "0.5:50", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(
-      files("new/disk"),
+      files("disk"),
       (std::set<std::string>{"numbers.csv", "turbulence.csv", "stirring.csv", "turbulence.svg",
                              "stirring.svg", "turbulence.png", "stirring.png"}));
   EXPECT_EQ(json::parse(ended.out)["files"].size(), 7u);
-  EXPECT_THAT(read_file(folder / "new/disk/turbulence.svg"), HasSubstr("<svg"));
-  EXPECT_THAT(read_file(folder / "new/disk/stirring.png"), testing::StartsWith("\x89PNG"));
-  const std::string csv = read_file(folder / "new/disk/stirring.csv");
+  EXPECT_THAT(read_file(folder / "disk/turbulence.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(read_file(folder / "disk/stirring.png"), testing::StartsWith("\x89PNG"));
+  const std::string csv = read_file(folder / "disk/stirring.csv");
   EXPECT_THAT(csv, HasSubstr("stirrer_radius_km_at_40_cm_per_s"));
   EXPECT_THAT(csv, HasSubstr("\npublished,0.5,Newton,"));
   EXPECT_THAT(csv, HasSubstr("\nweidenschilling,50,Epstein,"));

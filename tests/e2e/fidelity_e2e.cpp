@@ -48,7 +48,7 @@ TEST_F(Fidelity, ByNameIsNotedWithTheResults) {
   const Ended unknown = eerie({"run", "sweep.json", "--fidelity", "best"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_THAT(unknown.err,
-              HasSubstr("--fidelity best: must be one of sketch, survey, paper, auto"));
+              HasSubstr("--fidelity best: must be one of sketch, survey, standard, fine, paper, auto"));
   const Ended listed = eerie({"expand", "sweep.json", "--fidelity", "sketch", "--list"});
   EXPECT_THAT(listed.out, HasSubstr(" 400 "));
   const Ended alone = eerie({"run", "sweep.json", "--confidence", "0.8"});
@@ -68,7 +68,7 @@ TEST_F(Fidelity, AutoRunsInRoundsUntilItIsSureAndHasNothingLeftToDoAfterwards) {
                                             "--most-seeds", "4"};
   const Ended first = eerie(command);
   ASSERT_EQ(first.code, 0) << first.err;
-  EXPECT_THAT(first.out, HasSubstr("round 1: 2 of 2 impacts in doubt; 4 sketches and 0 surveys"));
+  EXPECT_THAT(first.out, HasSubstr("round 1: 2 of 2 impacts in doubt; wanted: 4 sketch"));
   EXPECT_THAT(first.out, HasSubstr("x 2"));
   EXPECT_THAT(read_file(folder / "eerie-small-auto.csv"), HasSubstr("1,40,15,15,"));
   EXPECT_THAT(read_file(folder / "eerie-small-auto.svg"), HasSubstr("seeds, sketch"));

@@ -75,15 +75,15 @@ TEST_F(LightCurveOfACigar, WarnsWhereTheBodyTurnsAboutAnotherAxis) {
 }
 
 TEST_F(LightCurveOfACigar, IsDrawnWithTablesBesideIt) {
-  const Ended ended = lightcurve({"run", "-o", "new/cigar.svg", "--remnant", "2", "--json"});
+  const Ended ended = lightcurve({"run", "-o", "new-cigar.svg", "--remnant", "2", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const json report = json::parse(ended.out);
   EXPECT_EQ(report["remnant"]["rank"], 2);
   EXPECT_LT(report["particles_mag"], 0.2);
   EXPECT_EQ(report["files"].size(), 3u);
-  EXPECT_THAT(read_file(folder / "new/cigar.svg"), HasSubstr("Oumuamua"));
-  EXPECT_THAT(read_file(folder / "new/cigar.csv"), HasSubstr("rotation_phase_deg"));
-  EXPECT_THAT(read_file(folder / "new/cigar-aspect.csv"), HasSubstr("\n90,"));
+  EXPECT_THAT(read_file(folder / "new-cigar.svg"), HasSubstr("Oumuamua"));
+  EXPECT_THAT(read_file(folder / "new-cigar.csv"), HasSubstr("rotation_phase_deg"));
+  EXPECT_THAT(read_file(folder / "new-cigar-aspect.csv"), HasSubstr("\n90,"));
 }
 
 TEST_F(LightCurveOfACigar, WhatCannotBeSeenIsRefused) {

@@ -32,7 +32,7 @@ class PicturesOfAnImpact : public testing::Test {
 
 TEST_F(PicturesOfAnImpact, PanelsSayWhichTimesTheyShow) {
   const Ended ended =
-      eerie({"show", "impact", "--panels", "0,600,2e3", "-o", "new/panels.svg", "--json"});
+      eerie({"show", "impact", "--panels", "0,600,2e3", "-o", "new-panels.svg", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const json report = json::parse(ended.out);
   ASSERT_EQ(report["panels"].size(), 3u);
@@ -40,7 +40,7 @@ TEST_F(PicturesOfAnImpact, PanelsSayWhichTimesTheyShow) {
   EXPECT_NEAR(report["panels"][1]["time_s"], 500, 30);  // the step that passed it
   EXPECT_THAT(report["panels"][1]["file"], HasSubstr("snapshot_0001.hdf5"));
   EXPECT_GT(report["frame_width_m"], 200);
-  const std::string svg = read_file(folder / "new/panels.svg");
+  const std::string svg = read_file(folder / "new-panels.svg");
   EXPECT_THAT(svg, HasSubstr("impactor"));
   EXPECT_THAT(svg, HasSubstr("100 m"));
 }

@@ -69,9 +69,9 @@ TEST_F(ThresholdAndCheck, FitTheRidgeOfADatabaseAndSayWhereThereIsNone) {
 }
 
 TEST_F(ThresholdAndCheck, DrawTheFittedCurveAndListAllConstants) {
-  Ended ended = eerie({"threshold", "--db", database(), "-o", "new/ridge.svg"});
+  Ended ended = eerie({"threshold", "--db", database(), "-o", "new-ridge.svg"});
   ASSERT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(read_file(folder / "new/ridge.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(read_file(folder / "new-ridge.svg"), HasSubstr("<svg"));
   ended = eerie({"threshold", "--db", database(), "-o", "ridge.csv"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const std::string csv = read_file(folder / "ridge.csv");
@@ -111,14 +111,14 @@ TEST_F(ThresholdAndCheck, SuggestSweepsThatExpandToTheMissingRuns) {
 }
 
 TEST_F(ThresholdAndCheck, WriteAReportWithMaps) {
-  const Ended ended = eerie({"check", "--db", database(), "-o", "out/report.md"});
+  const Ended ended = eerie({"check", "--db", database(), "-o", "report.md"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("checked by `eerie disk`"));
-  const std::string report = read_file(folder / "out/report.md");
+  const std::string report = read_file(folder / "report.md");
   EXPECT_THAT(report, HasSubstr("| reference-b-over-a | q 1, 40 deg, 20 cm/s, 15 deg |"));
   EXPECT_THAT(report, HasSubstr("## What would decide the open ones"));
   EXPECT_THAT(report, HasSubstr("(report-q1-phi40-n1000.svg)"));
-  EXPECT_THAT(read_file(folder / "out/report-q1-phi40-n1000.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(read_file(folder / "report-q1-phi40-n1000.svg"), HasSubstr("<svg"));
 }
 
 TEST_F(ThresholdAndCheck, TellSettingsOfTheSameNameApart) {

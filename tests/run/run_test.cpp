@@ -279,7 +279,7 @@ TEST(Run, GoesOnUntilNothingWillMeetAndEndsAtTheSameMomentWhenInterrupted) {
 }
 
 TEST(Run, WritesItsSnapshotsWhileItWaits) {
-  const Scene scene = short_impact({{"numerics", {{"cfl", 0.5}}},
+  const Scene scene = short_impact({{"numerics", {{"gravity_tolerance", 1e-5}}},
                                     {"end", {{"time_s", 60}, {"latest_s", 66}}},
                                     {"output", {{"snapshot_interval_s", 2}}}});
   RunOptions options;
@@ -305,7 +305,7 @@ TEST(Run, EndsAtTheLatestTimeWhateverWillMeet) {
 
 TEST(Run, EndsOnceItHasSettledWithTheSameBitsAndTheSameStepsAsOneThatGoesOn) {
   // Cycles shorter than the 5 s between two looks.
-  const nlohmann::json steps_of = {{"cfl", 0.5}};
+  const nlohmann::json steps_of = {{"gravity_tolerance", 1e-5}};
   const Scene going_on = short_impact({{"numerics", steps_of}, {"end", {{"time_s", 60}}}});
   const Scene settling = short_impact(
       {{"numerics", steps_of}, {"end", {{"time_s", 60}, {"settled", {{"window_s", 40}}}}}});

@@ -38,7 +38,8 @@ TEST(Tokens, OfTheSchemesAreThoseOfTheSchemaAndEachMakesAScene) {
     tokens.insert(scheme.token);
     const nlohmann::json wanted = nlohmann::json::parse(scheme.numerics);
     const nlohmann::json scene =
-        to_json(parse_scene({{"numerics", {{"scheme", scheme.token}}}}))["numerics"];
+        to_json(parse_scene({{"numerics", {{"scheme", scheme.token}, {"late_sound_speed", 0.5}}},
+                             {"end", {{"settled", {{"window_s", 4000}}}}}}))["numerics"];
     for (const auto& [field, value] : wanted.items()) EXPECT_EQ(scene[field], value) << field;
   }
   const nlohmann::json& schema = *schema_at(scene_schema(), "numerics.scheme");

@@ -12,7 +12,8 @@ namespace {
 void tell(const NoticeArguments& arguments, const std::string& event, const fs::path& database,
           process::Hook::Facts facts) {
   facts.insert(facts.begin(),
-               {{"EERIE_EVENT", event}, {"EERIE_DATABASE", fs::absolute(database).string()}});
+               {{"EERIE_EVENT", event},
+                {"EERIE_DATABASE", database.empty() ? "" : fs::absolute(database).string()}});
   const std::string problem = process::Hook(arguments.program).tell(event, facts);
   if (!problem.empty()) complain("eerie: --notify could not be told: " + problem);
 }

@@ -6,6 +6,7 @@
 
 #include "campaign/cli/output/complain.hpp"
 #include "campaign/job_folder/result_file.hpp"
+#include "campaign/sweeps/fidelity.hpp"
 #include "campaign/text/json_file.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
@@ -36,7 +37,8 @@ std::vector<fs::path> work_of_a_run(const job_folder::JobDirectory& directory) {
 
 std::string hash_in(const fs::path& scene_file) {
   try {
-    return scene_hash(parse_scene(text::load_json(scene_file), scene_file.string()));
+    return scene_hash(parse_scene(sweeps::over_default_fidelity(text::load_json(scene_file)),
+                                  scene_file.string()));
   } catch (const InputError& error) {
     throw InputError(
         fmt::format("{}; so it cannot be told whose work the folder holds; give another to --out",

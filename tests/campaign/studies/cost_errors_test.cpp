@@ -48,7 +48,7 @@ TEST(CostStudy, TurnsOneKnobAtATimeFromTheFidelity) {
   const std::vector<CostRun> runs = runs_of(study);
   EXPECT_EQ(runs.size(), 4u * 2 * 2 + 2 * 3);
   for (const CostRun& run : runs) {
-    EXPECT_EQ(run.scene.numerics.scheme, "viscosity-50000");
+    EXPECT_EQ(run.scene.numerics.scheme, "closing-gaps");
     EXPECT_EQ(run.scene.numerics.particles_per_target, run.setting == 4 ? 5000 : 400);
     EXPECT_EQ(run.scene.numerics.kernel, run.setting == 3 ? "wendland-c2" : "cubic-spline");
     EXPECT_EQ(run.scene.impact.v_imp_cm_per_s, run.case_index == 0 ? 15 : 24);
@@ -70,7 +70,7 @@ TEST(CostStudy, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint(study), HasSubstr("reference"));
   study = small_study();
   study["fidelity"] = "coarse";
-  EXPECT_THAT(complaint(study), HasSubstr("sketch, survey, paper"));
+  EXPECT_THAT(complaint(study), HasSubstr("sketch, survey, standard, fine, paper"));
 }
 
 /// Results of all runs: b/a is `b_over_a(setting, case)` plus 0.01 for odd seeds, less 0.01 for
