@@ -69,7 +69,10 @@ IdleNews::IdleNews(const NoticeArguments& arguments, fs::path database)
 void IdleNews::look(const manager::CampaignView& view) {
   const std::size_t at_rest = view.done + view.failed + view.paused;
   const bool is_idle = view.running == 0 && at_rest == view.total && !view.stopping;
-  if (!is_idle) has_worked_ = true;
+  // A short job may begin and end between two views.
+  const std::size_t finished = view.done + view.failed;
+  if (!is_idle || (finished_ && finished != *finished_)) has_worked_ = true;
+  finished_ = finished;
   if (!is_idle || !has_worked_) return;
   has_worked_ = false;
   tell(arguments_, view.failed > failed_ ? "failed" : "idle", database_,

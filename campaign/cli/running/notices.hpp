@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "campaign/cli/options/options.hpp"
@@ -31,6 +32,7 @@ class IdleNews {
   NoticeArguments arguments_;
   std::filesystem::path database_;
   bool has_worked_ = false;
+  std::optional<std::size_t> finished_;  ///< jobs done or failed at the last look
   std::size_t failed_ = 0;
 };
 
