@@ -108,6 +108,10 @@ constexpr Command commands[] = {
      "  eerie catalogue import giant-impacts.csv --radius 50 --fidelity survey\n"
      "  eerie catalogue compare published.csv --db published.sqlite",
      add_catalogue},
+    {"fidelities", "Print the named settings, their cost and their error",
+     "  eerie fidelities\n"
+     "  eerie fidelities --json",
+     add_fidelities},
     {"sizes", "Say and draw how many remnants there are above each mass",
      "  eerie sizes --db fig2b.sqlite --fidelity survey -o sizes.pdf\n"
      "  eerie sizes --class hit-and-run -o sizes.svg -o sizes.csv\n"

@@ -99,6 +99,7 @@ class EveryCommand : public testing::Test {
             {"catalogue", "import", "catalogue.csv", "-o", "imported.json"},
             {"catalogue", "compare", "catalogue.csv", "--db", "impacts.sqlite"},
             {"sizes", "--db", "impacts.sqlite"},
+            {"fidelities"},
             {"map", "--db", "impacts.sqlite", "-o", "map.csv"},
             {"threshold", "--db", "impacts.sqlite"},
             {"check", "--db", "impacts.sqlite"},
