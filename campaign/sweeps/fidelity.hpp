@@ -11,7 +11,8 @@ namespace eerie::sweeps {
 struct Fidelity {
   const char* name;
   const char* settings;  ///< JSON, part of a scene; those of a rung go over rung_settings
-  /// Core-seconds of a typical impact, and the root mean square error of b/a (docs/notebook/accuracy.md).
+  /// The mean core-seconds of thirteen impacts, and the root mean square error of b/a of a single
+  /// run (docs/notebook/convergence/errors.py); 0: not known.
   double core_seconds = 0, error = 0;
   bool is_rung = true;  ///< whether it belongs to the ladder of the default scheme
 };
@@ -27,16 +28,16 @@ inline constexpr const char* rung_settings =
 /// The rungs of the ladder, cheapest first, and the settings of the paper for comparison.
 inline constexpr Fidelity fidelities[] = {
     // This is the smallest number of particles that makes an impactor of q = 0.25.
-    {"sketch", R"({"numerics": {"particles_per_target": 400}})", 1.5, 0.2},
-    {"survey", R"({"numerics": {"particles_per_target": 1000}})", 4, 0.12},
-    {"standard", R"({"numerics": {"particles_per_target": 5000}})", 40, 0.06},
-    {"fine", R"({"numerics": {"particles_per_target": 20000}})", 400, 0.02},
+    {"sketch", R"({"numerics": {"particles_per_target": 400}})", 2.2, 0.19},
+    {"survey", R"({"numerics": {"particles_per_target": 1000}})", 6.5, 0.16},
+    {"standard", R"({"numerics": {"particles_per_target": 5000}})", 55, 0.1},
+    {"fine", R"({"numerics": {"particles_per_target": 20000}})", 600, 0.07},
     // The particle number, scheme and time of Sugiura, Kobayashi & Inutsuka (2019). A run may end
     // earlier once it has settled by the default tolerances, which changes b/a by at most 0.006.
     {"paper",
      R"({"numerics": {"scheme": "libersky-petschek-2018", "particles_per_target": 50000},
          "end": {"time_s": 100000, "settled": {"window_s": 4000}}})",
-     2000, 0.05, false},
+     2000, 0, false},
 };
 
 /// The fidelity of scenes that name no scheme.

@@ -12,7 +12,8 @@ Answer fidelities() {
   for (const sweeps::Fidelity& f : sweeps::fidelities) {
     const nlohmann::json numerics = sweeps::settings_of(f.name).at("numerics");
     table.rows.push_back({f.name, numerics.at("particles_per_target").get<std::int64_t>(),
-                          numerics.at("scheme").get<std::string>(), f.core_seconds, f.error,
+                          numerics.at("scheme").get<std::string>(), f.core_seconds,
+                          f.error > 0 ? Value(f.error) : Value(),
                           f.name == std::string(sweeps::default_fidelity) ? "the default" : ""});
   }
   Answer answer;

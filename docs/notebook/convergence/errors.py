@@ -35,7 +35,7 @@ for case in cases:
 print("| bodies meet | particles | impacts | core-s | b/a off by | class agrees |\n|---|---|---|---|---|---|")
 for name, group in (("once", [c for c in cases if c in ONCE]),
                     ("again", [c for c in cases if c not in ONCE])):
-    for n in (1000, 2000, 5000):
+    for n in (400, 1000, 2000, 5000):
         with_finer = [case for case in group if fine[case][0] > n and (case, n) in runs]
         if not with_finer:
             continue

@@ -56,7 +56,7 @@ TEST(Fidelity, IsARungBetweenACheaperAndAFinerOne) {
   EXPECT_EQ(rung_above("standard"), "fine");
   for (const char* last : {"fine", "paper", ""}) EXPECT_EQ(rung_above(last), "") << last;
   EXPECT_THAT(cheaper_rung("standard"),
-              testing::StartsWith("--fidelity survey takes 10 % of that"));
+              testing::StartsWith("--fidelity survey takes 12 % of that"));
   for (const char* lowest : {"sketch", "paper", ""}) EXPECT_EQ(cheaper_rung(lowest), "") << lowest;
   double cost = 0, error = 1;
   for (const Fidelity& fidelity : fidelities) {
