@@ -50,19 +50,20 @@ std::string sentence(const Impacts& impacts, std::optional<double> published) {
 
 }  // namespace
 
-std::string finding(const std::vector<db::ResultRow>& rows) {
+std::vector<std::string> finding(const std::vector<db::ResultRow>& rows) {
   std::map<std::pair<double, double>, Impacts> groups;
   for (const db::ResultRow& row : rows) {
     bool& elongated = groups[{row.q, row.phi_d_deg}][{row.v_imp_cm_per_s, row.theta_imp_deg}];
     elongated = elongated || row.result.n_eer > 0;
   }
-  std::string text;
+  std::vector<std::string> sentences;
   for (const auto& [point, impacts] : groups) {
     const auto [q, phi_d] = point;
-    if (groups.size() > 1) text += fmt::format("q {:g}, phi_d {:g} deg: ", q, phi_d);
-    text += sentence(impacts, paper::published_threshold(q, phi_d)) + "\n";
+    const std::string where =
+        groups.size() > 1 ? fmt::format("q {:g}, phi_d {:g} deg: ", q, phi_d) : "";
+    sentences.push_back(where + sentence(impacts, paper::published_threshold(q, phi_d)));
   }
-  return text;
+  return sentences;
 }
 
 }  // namespace eerie::facts

@@ -8,7 +8,7 @@
 namespace eerie::facts {
 
 /// One sentence per mass ratio and friction angle: how many impacts make an extremely elongated
-/// remnant, at which v sin(theta), and where the paper has them. Empty without results.
-std::string finding(const std::vector<db::ResultRow>& rows);
+/// remnant, at which v sin(theta), and where the paper has them.
+std::vector<std::string> finding(const std::vector<db::ResultRow>& rows);
 
 }  // namespace eerie::facts

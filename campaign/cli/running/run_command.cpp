@@ -76,7 +76,8 @@ Answer report(const db::Connection& connection, const RunArguments& a, std::int6
   answer.add(results::results_table(results), results::legend_of(results));
   if (const std::string drift = results::drift_warning(results); !drift.empty())
     print_warnings({drift});
-  answer.say("\n{}", facts::finding(results));
+  answer.say("\n");
+  for (const std::string& sentence : facts::finding(results)) answer.say("{}\n", sentence);
   answer.say("{} of {} jobs done{}{}\n", t.done, t.total,
              t.failed > 0 ? fmt::format(", {} failed", t.failed) : "",
              t.left > 0 ? fmt::format(", {} left", t.left) : "");
@@ -125,7 +126,8 @@ Answer run(const RunArguments& a, Output& out) {
   if (const std::size_t left = manager::tally(held.connection, added.sweep).left; left > 0) {
     say_cost(out, plan, a.database);
     out.say("{}: {} jobs, {} new, {} to run\n", name, added.jobs, added.added, left);
-    print_warnings(sweeps::departures(plan.sweep.scene, a.sweep.string()));
+    if (plan.jobs.front().fidelity.empty())
+      print_warnings(sweeps::departures(plan.sweep.scene, a.sweep.string()));
     print_warnings(sweeps::cautions(plan.scenes));
     manager::work(held.connection, added.sweep, workplace(a.scheduler, a.share), watch);
   } else {
