@@ -93,6 +93,24 @@ double spent_core_hours(const AutoFidelity& campaign) {
   return sum / 3600;
 }
 
+std::string hours_by_rung(const AutoFidelity& campaign) {
+  std::string text;
+  const std::vector<double> spent = campaign.core_seconds();
+  for (std::size_t r = 0; r < spent.size(); ++r)
+    if (spent[r] > 0)
+      text += fmt::format("{}{:.2f} {}", text.empty() ? "" : ", ", spent[r] / 3600,
+                          campaign.rungs()[r].name);
+  return text;
+}
+
+nlohmann::json core_seconds_by_rung(const AutoFidelity& campaign) {
+  nlohmann::json seconds = nlohmann::json::object();
+  const std::vector<double> spent = campaign.core_seconds();
+  for (std::size_t r = 0; r < spent.size(); ++r)
+    if (spent[r] > 0) seconds[campaign.rungs()[r].name] = spent[r];
+  return seconds;
+}
+
 std::size_t doubtful(const AutoFidelity& campaign) {
   return static_cast<std::size_t>(std::ranges::count_if(
       campaign.cells(), [&](const AutoCell& cell) { return campaign.in_doubt(cell); }));

@@ -39,6 +39,10 @@ text::Table table_of_cells(const AutoFidelity& campaign);
 
 /// The core-hours of all runs behind the verdicts.
 double spent_core_hours(const AutoFidelity& campaign);
+/// The same by rung, for people: "0.12 sketch, 0.34 survey".
+std::string hours_by_rung(const AutoFidelity& campaign);
+/// Core-seconds by the names of the rungs that have runs.
+nlohmann::json core_seconds_by_rung(const AutoFidelity& campaign);
 
 /// The number of impacts whose answer is not as sure as asked.
 std::size_t doubtful(const AutoFidelity& campaign);

@@ -88,4 +88,14 @@ std::string drift_warning(const std::vector<ResultRow>& rows) {
       job_folder::most_angular_momentum_drift);
 }
 
+std::string drift_warning(const db::Connection& connection, const std::string& sweep_name) {
+  std::vector<ResultRow> all;
+  for (const db::SweepStatus& sweep : db::sweep_status(connection)) {
+    if (sweep.name != sweep_name) continue;
+    const std::vector<ResultRow> rows = db::results(connection, {.sweep = sweep.id});
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  return drift_warning(all);
+}
+
 }  // namespace eerie::results

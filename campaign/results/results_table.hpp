@@ -16,5 +16,8 @@ std::string legend_of(const std::vector<db::ResultRow>& rows);
 
 /// A sentence that warns of results that cannot be trusted; empty where all can.
 std::string drift_warning(const std::vector<db::ResultRow>& rows);
+/// The warning about the results of all sweeps of this name. A changed sweep file makes another
+/// sweep of the same name.
+std::string drift_warning(const db::Connection& connection, const std::string& sweep_name);
 
 }  // namespace eerie::results

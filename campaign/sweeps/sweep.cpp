@@ -158,6 +158,14 @@ Sweep load_sweep(const std::filesystem::path& path, const std::vector<std::strin
   return parse_sweep(text::load_given_json(path), overrides, text::given_name(path));
 }
 
+Scene load_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  const std::string where = text::given_name(path);
+  json document = with_integers(text::load_given_json(path));
+  require_valid(scene_schema(), document, where);
+  apply_overrides(document, overrides);
+  return parse_scene(over_default_fidelity(document), where);
+}
+
 std::size_t point_count(const Sweep& sweep) {
   std::size_t count = std::max<std::size_t>(sweep.points.rows.size(), 1);
   for (const Axis& axis : sweep.axes) count *= axis.values.size();

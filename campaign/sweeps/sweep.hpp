@@ -32,6 +32,9 @@ Sweep parse_sweep(const nlohmann::json& document, const std::vector<std::string>
                   const std::string& where);
 Sweep load_sweep(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
+/// Reads the scene of one impact. Throws InputError.
+Scene load_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides);
+
 std::size_t point_count(const Sweep& sweep);
 
 /// Makes one scene per job. Points vary slowest, in their order, and the last axis varies fastest.

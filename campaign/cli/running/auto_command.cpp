@@ -9,52 +9,22 @@ using auto_fidelity::AutoFidelity;
 
 namespace {
 
-/// "0.12 sketch, 0.34 survey".
-std::string hours_by_rung(const AutoFidelity& campaign) {
-  std::string text;
-  const std::vector<double> spent = campaign.core_seconds();
-  for (std::size_t r = 0; r < spent.size(); ++r)
-    if (spent[r] > 0)
-      text += fmt::format("{}{:.2f} {}", text.empty() ? "" : ", ", spent[r] / 3600,
-                          campaign.rungs()[r].name);
-  return text;
-}
-
-/// Core-seconds by fidelity.
-nlohmann::json bill(const AutoFidelity& campaign) {
-  nlohmann::json seconds = nlohmann::json::object();
-  const std::vector<double> spent = campaign.core_seconds();
-  for (std::size_t r = 0; r < spent.size(); ++r)
-    if (spent[r] > 0) seconds[campaign.rungs()[r].name] = spent[r];
-  return seconds;
-}
-
-/// Of the results of the sweeps of this name; a changed sweep file makes another one.
-std::string drift_warning(const db::Connection& connection, const std::string& name) {
-  std::vector<db::ResultRow> all;
-  for (const db::SweepStatus& sweep : db::sweep_status(connection)) {
-    if (sweep.name != name) continue;
-    const std::vector<db::ResultRow> rows = db::results(connection, {.sweep = sweep.id});
-    all.insert(all.end(), rows.begin(), rows.end());
-  }
-  return results::drift_warning(all);
-}
-
 Answer answer_of(const AutoFidelity& campaign, const std::string& sweep, const manager::Tally& last,
                  const std::vector<std::filesystem::path>& files) {
   Answer answer;
   conclude(answer, last);
   const std::size_t doubts = auto_fidelity::doubtful(campaign), all = campaign.cells().size();
-  answer.data = {{"sweep", sweep},          {"impacts", all},
-                 {"in_doubt", doubts},      {"core_seconds", bill(campaign)},
-                 {"failed", last.failed},   {"left", last.left},
-                 {"files", names_of(files)}};
+  answer.data = {
+      {"sweep", sweep},          {"impacts", all},
+      {"in_doubt", doubts},      {"core_seconds", auto_fidelity::core_seconds_by_rung(campaign)},
+      {"failed", last.failed},   {"left", last.left},
+      {"files", names_of(files)}};
   answer.say("\n");
   answer.add(auto_fidelity::table_of_cells(campaign));
   const double uniform = campaign.uniform_core_seconds() / 3600;
   answer.say(
       "\n{} impacts, {} in doubt; {:.2f} core-hours: {}{}{}\n", all, doubts,
-      auto_fidelity::spent_core_hours(campaign), hours_by_rung(campaign),
+      auto_fidelity::spent_core_hours(campaign), auto_fidelity::hours_by_rung(campaign),
       uniform > 0 ? fmt::format(" (about {:.2f} for every impact as finely and often as "
                                 "the most doubtful)",
                                 uniform)
@@ -83,7 +53,7 @@ Answer run_auto(const RunArguments& a, Output& out) {
     last = auto_fidelity::run_auto(held.connection, campaign, plan, workplace(a.scheduler, a.share),
                                    watch);
   }
-  if (const std::string drift = drift_warning(held.connection, plan.name); !drift.empty())
+  if (const std::string drift = results::drift_warning(held.connection, plan.name); !drift.empty())
     print_warnings({drift});
   const std::string stem = fmt::format("{}-{}-auto", a.database.stem().string(), sweep.name);
   return answer_of(campaign, plan.name, last,

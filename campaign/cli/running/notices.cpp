@@ -67,20 +67,13 @@ IdleNews::IdleNews(const NoticeArguments& arguments, fs::path database)
     : arguments_(arguments), database_(std::move(database)) {}
 
 void IdleNews::look(const manager::CampaignView& view) {
-  const std::size_t at_rest = view.done + view.failed + view.paused;
-  const bool is_idle = view.running == 0 && at_rest == view.total && !view.stopping;
-  // A short job may begin and end between two views.
-  const std::size_t finished = view.done + view.failed;
-  if (!is_idle || (finished_ && finished != *finished_)) has_worked_ = true;
-  finished_ = finished;
-  if (!is_idle || !has_worked_) return;
-  has_worked_ = false;
-  tell(arguments_, view.failed > failed_ ? "failed" : "idle", database_,
+  const auto moment = idleness_.look(view);
+  if (!moment) return;
+  tell(arguments_, *moment == manager::Idleness::Moment::idle ? "idle" : "failed", database_,
        {{"EERIE_JOBS", fmt::format("{}", view.total)},
         {"EERIE_DONE", fmt::format("{}", view.done)},
         {"EERIE_FAILED", fmt::format("{}", view.failed)},
         {"EERIE_LEFT", fmt::format("{}", view.paused)}});
-  failed_ = view.failed;
 }
 
 }  // namespace eerie::cli

@@ -2,11 +2,10 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "campaign/cli/options/options.hpp"
-#include "campaign/manager/manager.hpp"
+#include "campaign/manager/waiting/idleness.hpp"
 
 namespace eerie::cli {
 
@@ -31,9 +30,7 @@ class IdleNews {
  private:
   NoticeArguments arguments_;
   std::filesystem::path database_;
-  bool has_worked_ = false;
-  std::optional<std::size_t> finished_;  ///< jobs done or failed at the last look
-  std::size_t failed_ = 0;
+  manager::Idleness idleness_;
 };
 
 }  // namespace eerie::cli

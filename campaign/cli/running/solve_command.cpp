@@ -5,23 +5,20 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/outcome_tables.hpp"
 #include "campaign/cli/output/status_line.hpp"
-#include "campaign/cli/running/solve_folder.hpp"
 #include "campaign/job_folder/job_directory.hpp"
 #include "campaign/job_folder/log.hpp"
 #include "campaign/job_folder/result_file.hpp"
 #include "campaign/job_folder/worker_lock.hpp"
 #include "campaign/process/cores.hpp"
 #include "campaign/process/signals.hpp"
-#include "campaign/sweeps/fidelity.hpp"
-#include "campaign/sweeps/scene_field.hpp"
-#include "campaign/text/given_file.hpp"
+#include "campaign/sweeps/sweep.hpp"
 #include "campaign/text/given_folder.hpp"
 #include "campaign/text/json_file.hpp"
+#include "campaign/worker/solve_folder.hpp"
 #include "campaign/worker/worker.hpp"
 #include "solver/base/file.hpp"
 #include "solver/base/simd.hpp"
 #include "solver/scene/guards.hpp"
-#include "solver/scene/validate.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;
@@ -35,14 +32,6 @@ struct SolveArguments {
   int threads = 0;     ///< 0: all cores
   SceneChanges changes;
 };
-
-Scene load_scene(const SolveArguments& a) {
-  const std::string where = text::given_name(a.scene);
-  json document = sweeps::with_integers(text::load_given_json(a.scene));
-  require_valid(scene_schema(), document, where);
-  sweeps::apply_overrides(document, a.changes.all());
-  return parse_scene(sweeps::over_default_fidelity(document), where);
-}
 
 double particle_steps_here(const run::RunSummary& s) {
   return s.steps_here * static_cast<double>(s.last.state.size());
@@ -111,17 +100,17 @@ Answer report(const Scene& scene, const SolveArguments& a, const worker::Compute
 }
 
 Answer solve(const SolveArguments& a) {
-  const Scene scene = load_scene(a);
+  const Scene scene = sweeps::load_scene(a.scene, a.changes.all());
   print_warnings(warnings(scene));
   process::catch_stop_signals();
   const job_folder::JobDirectory directory{a.directory};
-  require_own_folder(directory, scene);
+  worker::require_own_folder(directory, scene);
   text::make_given_folder(a.directory);
   const job_folder::WorkerLock lock(directory);
-  require_own_folder(directory, scene);  // as whoever held the lock left it
-  if (is_done(directory, scene)) return answer_of(directory);
-  require_usable_checkpoint(directory, scene);
-  keep_scene(directory, scene, a.scene);
+  worker::require_own_folder(directory, scene);  // as whoever held the lock left it
+  if (worker::is_done(directory, scene, complain)) return answer_of(directory);
+  worker::require_usable_checkpoint(directory, scene, complain);
+  worker::keep_scene(directory, scene, a.scene);
   job_folder::open_log(directory);
   const int threads = a.threads > 0 ? a.threads : process::usable_threads();
   StatusLine line;

@@ -1,10 +1,10 @@
-#include "campaign/cli/running/solve_folder.hpp"
+#include "campaign/worker/solve_folder.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "campaign/cli/output/complain.hpp"
 #include "campaign/job_folder/result_file.hpp"
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/text/json_file.hpp"
@@ -12,7 +12,7 @@
 #include "solver/base/file.hpp"
 #include "solver/run/checkpoints.hpp"
 
-namespace eerie::cli {
+namespace eerie::worker {
 namespace fs = std::filesystem;
 
 namespace {
@@ -65,26 +65,27 @@ void require_own_folder(const job_folder::JobDirectory& directory, const Scene& 
       theirs.substr(0, shown_digits), ours.substr(0, shown_digits)));
 }
 
-bool is_done(const job_folder::JobDirectory& directory, const Scene& scene) {
+bool is_done(const job_folder::JobDirectory& directory, const Scene& scene, const Note& note) {
   if (!is_there(directory.result())) return false;
   if (job_folder::read_result(directory, scene_hash(scene))) return true;
   const fs::path aside = directory.result().string() + ".unreadable";
   replace_file(directory.result(), aside);
-  complain(fmt::format("{}: no result of this scene; set aside as {}", directory.result().string(),
-                       aside.filename().string()));
+  note(fmt::format("{}: no result of this scene; set aside as {}", directory.result().string(),
+                   aside.filename().string()));
   return false;
 }
 
-void require_usable_checkpoint(const job_folder::JobDirectory& directory, const Scene& scene) {
+void require_usable_checkpoint(const job_folder::JobDirectory& directory, const Scene& scene,
+                               const Note& note) {
   std::vector<std::string> notes;
   const auto usable = run::newest_checkpoint(
-      directory.path, scene, [&](const std::string& note) { notes.push_back(note); });
+      directory.path, scene, [&](const std::string& skipped) { notes.push_back(skipped); });
   if (!usable && !notes.empty())
     throw InputError(fmt::format(
         "{}; a run that starts again would write over it: remove it, or give another folder to "
         "--out",
         notes.front()));
-  for (const std::string& note : notes) complain(note);
+  std::ranges::for_each(notes, note);
 }
 
 void keep_scene(const job_folder::JobDirectory& directory, const Scene& scene,
@@ -94,4 +95,4 @@ void keep_scene(const job_folder::JobDirectory& directory, const Scene& scene,
   install_text(directory.scene(), to_json(scene).dump(1) + "\n");
 }
 
-}  // namespace eerie::cli
+}  // namespace eerie::worker
