@@ -78,7 +78,7 @@ TEST_F(Daemon, DoesWhatWasSubmittedBeforeItCame) {
 TEST_F(Daemon, PausesResumesAndCancels) {
   Program daemon_at_work(folder.path(), daemon());
   wait_for_daemon();
-  test::write_sweep(folder.path(), 1e6, R"({"v_imp_cm_per_s": [15, 20, 25]})");
+  test::write_slow_sweep(folder.path(), R"({"v_imp_cm_per_s": [15, 20, 25]})");
   ASSERT_EQ(eerie({"submit", "sweep.json"}).code, 0);
   ASSERT_TRUE(becomes("SELECT count(*) FROM jobs WHERE state = 'running'", 2));
   EXPECT_THAT(eerie({"pause", "--all"}).out, HasSubstr("3 jobs paused"));
@@ -159,7 +159,7 @@ TEST_F(Daemon, CommandsSayWhatIsWrongWithTheirInput) {
 }
 
 TEST_F(Daemon, StopsAJobAtItsWallLimitAndGoesOnWithALargerOne) {
-  test::write_sweep(folder.path(), 150000, R"({"v_imp_cm_per_s": [20]})");
+  test::write_slow_sweep(folder.path(), R"({"v_imp_cm_per_s": [20]})");
   ASSERT_EQ(eerie({"submit", "sweep.json", "--wall-limit", "1s"}).code, 0);
   ASSERT_EQ(eerie(daemon({"--until-idle"})).code, 0);
   EXPECT_THAT(eerie({"status"}).out, HasSubstr("1 x wall-limit"));

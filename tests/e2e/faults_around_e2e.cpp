@@ -101,7 +101,7 @@ TEST_F(Around, AWorkerWhoseBodiesNeverSettleEndsWithItsKilledManager) {
 }
 
 TEST_F(Around, ARunWhoseDatabaseIsRemovedSaysSo) {
-  test::write_sweep(folder.path(), 1e6, R"({"v_imp_cm_per_s": [15, 16]})");
+  test::write_slow_sweep(folder.path(), R"({"v_imp_cm_per_s": [15, 16]})");
   Program run(folder.path(), {"run", "sweep.json", "--min-free-mb", "0"});
   ASSERT_TRUE(test::eventually([&] {
     return fs::exists(folder / "eerie.sqlite.log") &&

@@ -47,8 +47,9 @@ TEST_F(Fidelity, ByNameIsNotedWithTheResults) {
   install_text(folder / "sweep.json", R"({"name": "one", "grid": {"v_imp_cm_per_s": [20]}})");
   const Ended unknown = eerie({"run", "sweep.json", "--fidelity", "best"});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err,
-              HasSubstr("--fidelity best: must be one of sketch, survey, standard, fine, paper, auto"));
+  EXPECT_THAT(
+      unknown.err,
+      HasSubstr("--fidelity best: must be one of sketch, survey, standard, fine, paper, auto"));
   const Ended listed = eerie({"expand", "sweep.json", "--fidelity", "sketch", "--list"});
   EXPECT_THAT(listed.out, HasSubstr(" 400 "));
   const Ended alone = eerie({"run", "sweep.json", "--confidence", "0.8"});
@@ -81,7 +82,7 @@ TEST_F(Fidelity, AutoRunsInRoundsUntilItIsSureAndHasNothingLeftToDoAfterwards) {
 
 TEST_F(Fidelity, AutoKeepsToItsBudget) {
   install_text(folder / "sweep.json", R"({"name": "small", "grid": {"v_imp_cm_per_s": [15, 20]}})");
-  const Ended ended = eerie({"run", "sweep.json", "--fidelity", "auto", "--budget", "0.001"});
+  const Ended ended = eerie({"run", "sweep.json", "--fidelity", "auto", "--budget", "0.0001"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("2 impacts, 2 in doubt; 0.00 core-hours"));
 }

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 class Interrupted : public testing::Test {
  protected:
   void SetUp() override {
-    test::write_sweep(folder.path(), 40000, R"({"v_imp_cm_per_s": [15, 20]})");
+    test::write_slow_sweep(folder.path(), R"({"v_imp_cm_per_s": [15, 20]})");
   }
 
   Ended eerie(const std::vector<std::string>& arguments) {
@@ -91,7 +91,7 @@ TEST_F(Interrupted, ByTheDeathOfAWorkerGoesOnFromItsCheckpoint) {
 }
 
 TEST_F(Interrupted, ThreeTimesByTheDeathOfItsWorkerAJobFailsAndCanBeRetried) {
-  test::write_sweep(folder.path(), 40000, R"({"v_imp_cm_per_s": [20]})");
+  test::write_slow_sweep(folder.path(), R"({"v_imp_cm_per_s": [20]})");
   Program run(folder.path(), {"run", "sweep.json"});
   pid_t last = 0;
   for (int death = 0; death < 3; ++death) {

@@ -59,7 +59,7 @@ TEST_F(Notify, ARunThatCannotBeTellsWhy) {
 }
 
 TEST_F(Notify, AnInterruptedRunTellsWhatIsLeft) {
-  test::write_sweep(folder.path(), 1e6, R"({"v_imp_cm_per_s": [15]})");
+  test::write_slow_sweep(folder.path(), R"({"v_imp_cm_per_s": [15]})");
   test::Program run(folder.path(), {"run", "sweep.json", "--notify", "./tell.sh"});
   ASSERT_TRUE(test::eventually([&] {
     const auto jobs = test::job_directories(folder / "eerie.sqlite");

@@ -26,11 +26,11 @@ class Serve : public testing::Test {
   Ended eerie(const std::vector<std::string>& arguments) {
     return test::eerie(folder.path(), arguments);
   }
-  void submit(const std::string& name, int end_time_s, const json& grid) {
+  void submit(const std::string& name, int end_time_s, const json& grid, double cfl = 1.1) {
     install_text(folder / "sweep.json",
                  json{{"name", name},
                       {"scene",
-                       {{"numerics", {{"particles_per_target", 200}}},
+                       {{"numerics", {{"particles_per_target", 200}, {"cfl", cfl}}},
                         {"output", {{"snapshot_interval_s", end_time_s / 4}}},
                         {"end", {{"time_s", end_time_s}}}}},
                       {"grid", grid}}
@@ -72,7 +72,7 @@ TEST_F(Serve, ShowsEveryViewOfAFinishedCampaignInABrowser) {
 TEST_F(Serve, ACampaignAtWorkFillsItsCellsAndIsSteeredWithTheToken) {
   json speeds = json::array();
   for (int v = 10; v < 34; ++v) speeds.push_back(v);
-  submit("long", 60000, {{"v_imp_cm_per_s", speeds}});
+  submit("long", 60000, {{"v_imp_cm_per_s", speeds}}, 0.3);
   Program daemon(folder.path(),
                  {"daemon", "--serve", "--port", "0", "--workers", "1", "--min-free-mb", "1"});
   const auto [base, token] = address(daemon);

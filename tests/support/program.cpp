@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "campaign/job_folder/job_directory.hpp"
@@ -96,12 +97,26 @@ std::optional<pid_t> worker_at_work(const fs::path& path) {
   return ::kill(pid, 0) == 0 ? std::optional(pid) : std::nullopt;
 }
 
+namespace {
+
+void write_sweep(const fs::path& folder, double end_time_s, const std::string& grid,
+                 const nlohmann::json& numerics) {
+  using nlohmann::json;
+  const json scene = {{"numerics", numerics},
+                      {"output", {{"history_interval_s", 5000}, {"checkpoint_interval_s", 0.1}}},
+                      {"end", {{"time_s", end_time_s}}}};
+  const json sweep = {{"name", "small"}, {"scene", scene}, {"grid", json::parse(grid)}};
+  install_text(folder / "sweep.json", sweep.dump());
+}
+
+}  // namespace
+
 void write_sweep(const fs::path& folder, double end_time_s, const std::string& grid) {
-  install_text(folder / "sweep.json",
-               R"({"name": "small", "scene": {"numerics": {"particles_per_target": 100},
-      "output": {"history_interval_s": 5000, "checkpoint_interval_s": 0.1},
-      "end": {"time_s": )" +
-                   std::to_string(end_time_s) + R"(}}, "grid": )" + grid + "}");
+  write_sweep(folder, end_time_s, grid, {{"particles_per_target", 100}});
+}
+
+void write_slow_sweep(const fs::path& folder, const std::string& grid) {
+  write_sweep(folder, 40000, grid, {{"particles_per_target", 100}, {"flow_mach", 0}, {"cfl", 0.1}});
 }
 
 long processor_ticks(pid_t pid) {

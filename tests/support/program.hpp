@@ -49,9 +49,12 @@ bool eventually(const std::function<bool()>& condition,
 /// Process id of the live worker of a job directory, once it takes steps.
 std::optional<pid_t> worker_at_work(const std::filesystem::path& job_directory);
 
-/// A sweep of small bodies, written to `folder`/sweep.json; the run of each job takes about
-/// a second per 10,000 s.
+/// A sweep of small bodies, written to `folder`/sweep.json; the run of each job takes
+/// less than a second.
 void write_sweep(const std::filesystem::path& folder, double end_time_s, const std::string& grid);
+
+/// The same with short steps: each job takes seconds, for tests that catch it at work.
+void write_slow_sweep(const std::filesystem::path& folder, const std::string& grid);
 
 /// Processor time that a process has used, in hundredths of a second.
 long processor_ticks(pid_t pid);

@@ -152,7 +152,7 @@ Action add_run(CLI::App& app) {
           ->check(CLI::Range(0.5, 0.999)),
       app.add_option("--budget", a->core_hours,
                      "with --fidelity auto: core-hours that it may cost (default: no limit)")
-          ->check(CLI::Range(0.001, 1e7)),
+          ->check(CLI::Range(1e-6, 1e7)),
       app.add_option(
              "--most-seeds", a->automatic.most_seeds,
              "with --fidelity auto: runs of one impact on the last rung at most (default: 8)")
