@@ -235,6 +235,27 @@ Scene changed(Scene scene, std::span<const FieldChange> changes, const std::stri
   return scene;
 }
 
+namespace {
+
+/// Fields younger than the first results. Where one is off, or decides nothing, a scene is written
+/// as it was before; but not where its scheme would turn the field on again.
+void leave_out_younger_fields(json& numerics) {
+  const json& of_scheme = numerics_of_scheme(numerics.at("scheme"));
+  const auto leave_out = [&](const char* field, const json& off) {
+    if (numerics.at(field) == off && of_scheme.value(field, off) == off) numerics.erase(field);
+  };
+  const bool has_voids = numerics.at("void_density") != 0;
+  const bool softens = numerics.at("late_sound_speed") != 1;
+  leave_out("void_density", 0.0);
+  leave_out("voids", "all");
+  leave_out("flow_mach", 0.0);
+  leave_out("rigid_flight", false);
+  if (!has_voids) numerics.erase("voids");
+  if (!softens) numerics.erase("flow_mach");
+}
+
+}  // namespace
+
 json to_json(const Scene& scene) {
   static const std::vector<json::json_pointer> pointers = [] {
     std::vector<json::json_pointer> all;
@@ -246,13 +267,7 @@ json to_json(const Scene& scene) {
   std::size_t field = 0;
   visit_fields(scene,
                [&](const char*, const auto& member) { document[pointers[field++]] = member; });
-  // Younger than the first results: where they are off, a scene is written as it was before.
-  if (scene.numerics.void_density == 0) document["numerics"].erase("void_density");
-  if (scene.numerics.void_density == 0 || scene.numerics.voids == "all")
-    document["numerics"].erase("voids");
-  if (scene.numerics.late_sound_speed == 1 || scene.numerics.flow_mach == 0)
-    document["numerics"].erase("flow_mach");
-  if (!scene.numerics.rigid_flight) document["numerics"].erase("rigid_flight");
+  leave_out_younger_fields(document["numerics"]);
   return document;
 }
 

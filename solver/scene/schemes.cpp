@@ -1,6 +1,6 @@
 #include "solver/scene/schemes.hpp"
 
-#include <algorithm>
+#include <map>
 
 #include "solver/scene/scene.hpp"
 #include "solver/scene/validate.hpp"
@@ -8,19 +8,18 @@
 namespace eerie {
 using nlohmann::json;
 
-namespace {
-
-/// Of a scheme that there is, with those of its base.
-json numerics_of_scheme(const std::string& token) {
-  const Scheme& scheme =
-      *std::ranges::find(schemes, token, [](const Scheme& s) { return std::string(s.token); });
-  const std::string base = scheme.base;
-  json numerics = base.empty() ? json::object() : numerics_of_scheme(base);
-  numerics.update(json::parse(scheme.numerics));
-  return numerics;
+const json& numerics_of_scheme(const std::string& token) {
+  static const std::map<std::string, json> all = [] {
+    std::map<std::string, json> made;
+    for (const Scheme& scheme : schemes) {  // a base stands before what stands on it
+      json numerics = *scheme.base != 0 ? made.at(scheme.base) : json::object();
+      numerics.update(json::parse(scheme.numerics));
+      made.emplace(scheme.token, std::move(numerics));
+    }
+    return made;
+  }();
+  return all.at(token);
 }
-
-}  // namespace
 
 std::string default_scheme() { return schema_at(scene_schema(), "numerics.scheme")->at("default"); }
 

@@ -10,7 +10,7 @@ namespace eerie {
 struct Scheme {
   const char* token;
   const char* numerics;   ///< JSON; what the scene says has precedence
-  const char* base = "";  ///< token of the scheme from which it takes all other defaults
+  const char* base = "";  ///< an earlier scheme from which it takes all other defaults
 };
 
 inline constexpr Scheme schemes[] = {
@@ -42,6 +42,9 @@ inline constexpr Scheme schemes[] = {
 
 /// The scheme of scenes that name none, as in the schema.
 std::string default_scheme();
+
+/// The defaults that the scheme of this name, which there is, gives to fields of scene.numerics.
+const nlohmann::json& numerics_of_scheme(const std::string& token);
 
 /// Fills in the fields of numerics that `document`, a valid scene, leaves out. Their values are the
 /// defaults of its scheme.

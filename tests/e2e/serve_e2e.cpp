@@ -72,7 +72,7 @@ TEST_F(Serve, ShowsEveryViewOfAFinishedCampaignInABrowser) {
 TEST_F(Serve, ACampaignAtWorkFillsItsCellsAndIsSteeredWithTheToken) {
   json speeds = json::array();
   for (int v = 10; v < 34; ++v) speeds.push_back(v);
-  submit("long", 60000, {{"v_imp_cm_per_s", speeds}}, 0.3);
+  submit("long", 60000, {{"v_imp_cm_per_s", speeds}}, 0.05);
   Program daemon(folder.path(),
                  {"daemon", "--serve", "--port", "0", "--workers", "1", "--min-free-mb", "1"});
   const auto [base, token] = address(daemon);

@@ -39,22 +39,22 @@ with Browser(base, token) as page:
     page.until(lambda: page.text("#pulse") == "live", "the page says that somebody works")
 
     page.open("/jobs?state=pending")
-    link = page.one("table.jobs a.hash").get_attribute("href")
+    link = page.all("table.jobs a.hash")[-1].get_attribute("href")  # the last one to run
     page.open(link[len(base):])
-    page.one("[data-action='pause']").click()
-    page.until(lambda: "1 job paused" in page.text("#toast"), "the answer of the manager")
+    page.press("[data-action='pause']", lambda: "1 job paused" in page.text("#toast"),
+               "the answer of the manager")
     page.until(lambda: "paused" in page.text(".job-head .badge"), "the page shows it by itself")
     expect(jobs()["paused"] == 1, f"one job is paused: {jobs()}")
-    page.one("[data-action='resume']").click()
-    page.until(lambda: "1 job resumed" in page.text("#toast"), "resumed")
+    page.press("[data-action='resume']", lambda: "1 job resumed" in page.text("#toast"), "resumed")
     page.until(lambda: "paused" not in page.text(".job-head .badge"), "the page shows that too")
     expect(jobs()["paused"] == 0, "none is paused")
 
     page.open("/campaign")
-    page.one(".submit summary").click()
+    page.press(".submit summary", lambda: page.js("return document.querySelector('.submit').open"),
+               "the form opens", again_after=2)
     page.one(".submit textarea").send_keys('{"name": "more", "scene": {"numerics": {"particles_per_target": 100}}, "grid": {"v_imp_cm_per_s": [33]}}')
-    page.one("[data-action='submit']").click()
-    page.until(lambda: "more: 1 jobs, 1 new" in page.text("#toast"), "the sweep is taken")
+    page.press("[data-action='submit']", lambda: "more: 1 jobs, 1 new" in page.text("#toast"),
+               "the sweep is taken")
     page.until(lambda: "more" in page.text("table"), "and stands in the table")
     expect(not page.complaints(), f"the browser complains: {page.complaints()}")
 print("a campaign was watched and steered")

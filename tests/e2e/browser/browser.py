@@ -4,6 +4,7 @@ import json
 import time
 
 from selenium import webdriver
+from selenium.common.exceptions import ElementClickInterceptedException, StaleElementReferenceException
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
@@ -63,10 +64,28 @@ class Browser:
     def until(self, condition, what, patience=PATIENCE_S):
         end = time.time() + patience
         while time.time() < end:
-            if condition():
-                return
+            try:
+                if condition():
+                    return
+            except StaleElementReferenceException:
+                pass  # the page has drawn itself anew meanwhile
             time.sleep(0.05)
         raise AssertionError(f"not within {patience} s: {what}\n{self.said()}")
+
+    def press(self, selector, effect, what, again_after=10):
+        """Clicks. A page at work moves and replaces what one aims at: without effect, once more."""
+        pressed = 0
+
+        def done():
+            nonlocal pressed
+            if time.time() - pressed > again_after:
+                try:
+                    self.one(selector).click()
+                    pressed = time.time()
+                except ElementClickInterceptedException:
+                    return False
+            return effect()
+        self.until(done, what)
 
     def said(self):
         return json.dumps(self.driver.get_log("browser"), indent=1)
