@@ -133,6 +133,11 @@ constexpr Command commands[] = {
      "  eerie check --db fig2b.sqlite -o report.md\n"
      "  eerie check --json",
      add_check},
+    {"odds", "Say how often collisions of a swarm leave an extremely elongated remnant",
+     "  eerie odds --db fig2b.sqlite\n"
+     "  eerie odds --q 1 --phi-d 50 --dispersion 10 --dispersion 20 --json\n"
+     "  eerie odds -o odds.svg -o odds.csv",
+     add_odds},
     {"converge", "Run impacts at rising particle numbers and draw how their results converge",
      "  eerie converge sweeps/studies/convergence.json --budget 2 -o convergence\n"
      "  eerie converge sweeps/studies/convergence.json --draw-only -o convergence",

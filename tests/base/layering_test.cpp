@@ -96,7 +96,7 @@ const std::map<std::string, Rooms> allowed = {
     {"campaign/facts",
      {"campaign/maps", "campaign/text", "db/store", "db/views", "analysis/paper",
       "analysis/remnants", "analysis/diagrams"}},
-    {"campaign/surroundings", {"campaign/text", "analysis/disk"}},
+    {"campaign/surroundings", {"campaign/text", "db/views", "analysis/disk", "analysis/figures"}},
     {"campaign/run_pictures",
      {"campaign/job_folder", "campaign/text", "analysis/drawing", "analysis/pictures",
       "analysis/remnants", "solver/io"}},

@@ -103,6 +103,7 @@ class EveryCommand : public testing::Test {
             {"map", "--db", "impacts.sqlite", "-o", "map.csv"},
             {"threshold", "--db", "impacts.sqlite"},
             {"check", "--db", "impacts.sqlite"},
+            {"odds", "--db", "impacts.sqlite"},
             {"converge", "converge.json", "-o", "converge", "--db", "studies.sqlite"},
             {"chart", "chart.json", "-o", "chart.svg", "--db", "studies.sqlite"},
             {"disk"},
