@@ -44,13 +44,13 @@ struct Surroundings {
     const auto nx = static_cast<float>(normal.x), ny = static_cast<float>(normal.y),
                nz = static_cast<float>(normal.z);
     const float cos2 = static_cast<float>(cos_of_sight * cos_of_sight);
+    Pack<float> seen{};  // summed over all: leaving at the first one would take lanes apart
     for (std::size_t first = 0; first < around.x.size(); first += lanes<float>) {
       const auto [dx, dy, dz] = around.offsets(first, around.x[k], around.y[k], around.z[k]);
       const Pack<float> r2 = dx * dx + dy * dy + dz * dz, ahead = nx * dx + ny * dy + nz * dz;
-      for (int l = 0; l < lanes<float>; ++l)
-        if (ahead[l] > 0 && r2[l] < 4 && ahead[l] * ahead[l] > cos2 * r2[l]) return true;
+      seen += (ahead > 0) & (r2 < 4) & (ahead * ahead > cos2 * r2) ? splat(1.f) : splat(0.f);
     }
-    return false;
+    return total(seen) > 0;
   }
   static double total(const Pack<float>& pack) {
     double sum = 0;
