@@ -4,6 +4,8 @@
 #include <SQLiteCpp/Statement.h>
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 #include "db/jobs/rows.hpp"
 #include "db/store/bind.hpp"
@@ -47,8 +49,7 @@ WHERE (:sweep IS NULL OR j.id IN (SELECT job_id FROM sweep_jobs WHERE sweep_id =
   AND (:particles IS NULL OR j.particles_per_target = :particles)
   AND (:fidelity IS NULL OR j.fidelity = :fidelity)
   AND (:settings IS NULL OR j.settings = :settings)
-ORDER BY j.q, j.phi_d_deg, j.particles_per_target, j.settings, j.v_imp_cm_per_s, j.theta_imp_deg,
-         j.id
+ORDER BY j.id
 )sql";
 
 template <class T>
@@ -71,9 +72,10 @@ MapPoint place(const SQLite::Statement& row) {
   return p;
 }
 
-bool same_place(const MapPoint& a, const MapPoint& b) {
-  return a.q == b.q && a.phi_d_deg == b.phi_d_deg && a.v_imp_cm_per_s == b.v_imp_cm_per_s &&
-         a.theta_imp_deg == b.theta_imp_deg && a.settings == b.settings;
+/// Points are gathered under it: a sort of all jobs would take longer than all else.
+auto key(const MapPoint& p) {
+  return std::tuple(p.q, p.phi_d_deg, p.particles_per_target, p.settings, p.v_imp_cm_per_s,
+                    p.theta_imp_deg);
 }
 
 void note(std::vector<double>& numbers, const SQLite::Column& column) {
@@ -115,7 +117,7 @@ std::string MapPoint::outcome_class() const {
 }
 
 std::vector<MapPoint> map_points(const Connection& connection, const MapFilter& filter) {
-  std::vector<MapPoint> points;
+  std::map<decltype(key({})), MapPoint> gathered;
   connection.read([&](SQLite::Database& sql) {
     SQLite::Statement select(sql, select_jobs);
     bind_named(select, ":sweep", filter.sweep);
@@ -126,29 +128,32 @@ std::vector<MapPoint> map_points(const Connection& connection, const MapFilter& 
     bind_named(select, ":settings", filter.settings);
     while (select.executeStep()) {
       const MapPoint here = place(select);
-      if (points.empty() || !same_place(points.back(), here)) points.push_back(here);
-      add(points.back(), select);
+      add(gathered.try_emplace(key(here), here).first->second, select);
     }
   });
+  std::vector<MapPoint> points;
+  for (auto& [at, point] : gathered) points.push_back(std::move(point));
   return points;
 }
 
 std::vector<MapName> map_names(const Connection& connection) {
-  std::vector<MapName> names;
+  std::map<std::tuple<double, double, std::int64_t, std::int64_t>, MapName> gathered;
   connection.read([&](SQLite::Database& sql) {
     SQLite::Statement select(sql, R"(
-        SELECT q, phi_d_deg, particles_per_target, settings, max(fidelity), count(*),
-               sum(state = 'done')
-        FROM jobs GROUP BY q, phi_d_deg, particles_per_target, settings)");
+        SELECT q, phi_d_deg, particles_per_target, settings, state = 'done', fidelity FROM jobs)");
     while (select.executeStep()) {
-      MapName& map = names.emplace_back();
-      map.q = select.getColumn(0).getDouble(), map.phi_d_deg = select.getColumn(1).getDouble();
-      map.particles_per_target = select.getColumn(2).getInt64();
-      map.settings = select.getColumn(3).getInt64();
-      map.fidelity = select.getColumn(4).getString();
-      map.jobs = select.getColumn(5).getInt64(), map.done = select.getColumn(6).getInt64();
+      const double q = select.getColumn(0).getDouble(), phi_d = select.getColumn(1).getDouble();
+      const std::int64_t particles = select.getColumn(2).getInt64(),
+                         settings = select.getColumn(3).getInt64();
+      const auto [at, is_new] = gathered.try_emplace({q, phi_d, particles, settings});
+      MapName& map = at->second;
+      if (is_new) map = {q, phi_d, particles, settings, select.getColumn(5).getString()};
+      ++map.jobs;
+      map.done += select.getColumn(4).getInt();
     }
   });
+  std::vector<MapName> names;
+  for (auto& [at, name] : gathered) names.push_back(std::move(name));
   return names;
 }
 
