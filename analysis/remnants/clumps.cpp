@@ -52,6 +52,21 @@ Cell cell_of(const Vec3& x, double size) {
           static_cast<std::int64_t>(k.z)};
 }
 
+/// Half of the 26 cells around one: each pair of cells is met once.
+constexpr std::array<Cell, 13> ahead = {{{1, 0, 0},
+                                         {-1, 1, 0},
+                                         {0, 1, 0},
+                                         {1, 1, 0},
+                                         {-1, -1, 1},
+                                         {0, -1, 1},
+                                         {1, -1, 1},
+                                         {-1, 0, 1},
+                                         {0, 0, 1},
+                                         {1, 0, 1},
+                                         {-1, 1, 1},
+                                         {0, 1, 1},
+                                         {1, 1, 1}}};
+
 /// Joins all pairs within reach. Cells are a touch wider than the linking length, so that friends
 /// are in the same cell or in one of the 26 around it.
 Sets linked(std::span<const Vec3> x, double linking_length) {
@@ -60,19 +75,22 @@ Sets linked(std::span<const Vec3> x, double linking_length) {
   std::unordered_map<Cell, Index, CellHash> first_in;  // first particle of a cell ...
   std::vector<Index> next(x.size(), none);             // ... and the chain of the others
   first_in.reserve(x.size());
-  const double reach2 = linking_length * linking_length;
   for (Index i = 0; i < x.size(); ++i) {
-    const Cell centre = cell_of(x[i], width);
-    for (std::int64_t dx = -1; dx <= 1; ++dx)
-      for (std::int64_t dy = -1; dy <= 1; ++dy)
-        for (std::int64_t dz = -1; dz <= 1; ++dz) {
-          const auto found = first_in.find({centre[0] + dx, centre[1] + dy, centre[2] + dz});
-          if (found == first_in.end()) continue;
-          for (Index j = found->second; j != none; j = next[j])
-            if (norm2(x[i] - x[j]) <= reach2) sets.join(i, j);
-        }
-    const auto [place, is_new] = first_in.try_emplace(centre, i);
+    const auto [place, is_new] = first_in.try_emplace(cell_of(x[i], width), i);
     if (!is_new) next[i] = std::exchange(place->second, i);
+  }
+  const double reach2 = linking_length * linking_length;
+  const auto join_friends = [&](Index i, Index chain) {
+    for (Index j = chain; j != none; j = next[j])
+      if (norm2(x[i] - x[j]) <= reach2) sets.join(i, j);
+  };
+  for (const auto& [cell, first] : first_in) {
+    for (Index i = first; i != none; i = next[i]) join_friends(i, next[i]);
+    for (const Cell& step : ahead) {
+      const auto other = first_in.find({cell[0] + step[0], cell[1] + step[1], cell[2] + step[2]});
+      if (other == first_in.end()) continue;
+      for (Index i = first; i != none; i = next[i]) join_friends(i, other->second);
+    }
   }
   return sets;
 }
