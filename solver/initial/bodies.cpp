@@ -21,14 +21,25 @@ constexpr double settled_fraction = 1e-3;
 /// Damping time in sound crossings of the radius, and when to give up.
 constexpr double damping_crossings = 1, patience_crossings = 400;
 
-double rms_speed(const particles::State& s) {
+/// Of what does not turn with the body.
+double rms_speed(const particles::State& s, const Vec3& omega) {
   double sum = 0;
-  for (const Vec3& v : s.v) sum += norm2(v);
+  for (std::size_t i = 0; i < s.size(); ++i) sum += norm2(s.v[i] - cross(omega, s.x[i]));
   return std::sqrt(sum / static_cast<double>(s.size()));
 }
 
 double radius_of(const Scene& scene, particles::Body body) {
   return body == particles::Body::target ? scene.target.radius_m : impactor_radius(scene);
+}
+
+Vec3 spin_of(const Scene& scene, particles::Body body) {
+  return spin(body == particles::Body::target ? scene.target.spin : scene.impactor.spin);
+}
+
+/// Adds a rigid rotation about the origin. Without one not even the signs of zeros change.
+void turn(particles::State& s, const Vec3& omega) {
+  if (norm2(omega) == 0) return;
+  for (std::size_t i = 0; i < s.size(); ++i) s.v[i] += cross(omega, s.x[i]);
 }
 
 using Stop = std::function<bool()>;
@@ -50,6 +61,7 @@ particles::State at_rest(const Scene& scene, particles::Body body, std::size_t n
     const double p = p_centre * std::max(0.0, 1 - norm2(s.x[i]) / (radius * radius));
     s.rho[i] = std::visit([p](const auto& eos) { return eos.density_at(p); }, material.eos);
   }
+  turn(s, spin_of(scene, body));
   return s;
 }
 
@@ -67,7 +79,7 @@ void append(particles::State& all, const particles::State& body, const Vec3& x, 
     all.id.push_back(offset + body.id[i]);
     all.body.push_back(body.body[i]);
     all.x.push_back(body.x[i] + x);
-    all.v.push_back(v);
+    all.v.push_back(body.v[i] + v);
     all.rho.push_back(body.rho[i]);
     all.S.push_back(body.S[i]);
   }
@@ -93,13 +105,14 @@ Settling::Settling(const Scene& scene, particles::Body body, step::Solver begun)
       body_(body),
       radius_(radius_of(scene, body)),
       crossing_(radius_ / material::make_material(scene).longitudinal_speed()),
+      omega_(spin_of(scene, body)),
       solver_(std::move(begun)) {}
 
 bool Settling::is_at_rest() const {
   // At least a few damping times: at the very start nothing has moved yet.
   if (solver_.state().time < 10 * crossing_) return false;
   const double v_esc = escape_speed({radius_, scene_.material.rho0_kg_per_m3});
-  return rms_speed(solver_.state()) <= settled_fraction * v_esc;
+  return rms_speed(solver_.state(), omega_) <= settled_fraction * v_esc;
 }
 
 void Settling::cycle() {
@@ -111,10 +124,10 @@ void Settling::cycle() {
                     "still move at {:.2g} m/s; raise numerics.particles_per_target "
                     "or set numerics.h_over_spacing nearer to 1.2",
                     body_ == particles::Body::target ? "target" : "impactor", time,
-                    rms_speed(solver_.state())));
+                    rms_speed(solver_.state(), omega_)));
   solver_.cycle(time + 1e9);
   const double advanced = solver_.state().time - time;
-  solver_.damp(std::exp(-advanced / (damping_crossings * crossing_)));
+  solver_.damp(std::exp(-advanced / (damping_crossings * crossing_)), omega_);
 }
 
 particles::State Settling::body() const {
@@ -123,6 +136,7 @@ particles::State Settling::body() const {
   for (const Vec3& x : s.x) centre += x;
   for (Vec3& x : s.x) x -= centre / static_cast<double>(s.size());
   for (Vec3& v : s.v) v = {};
+  turn(s, omega_);
   for (auto* heat : {&s.u, &s.viscous_heat, &s.shear_work})
     std::fill(heat->begin(), heat->end(), 0.0);
   s.time = 0;

@@ -10,7 +10,8 @@ namespace eerie::initial {
 
 /// A body on its way to rest. It is packed with particles and gets the hydrostatic density profile
 /// of a self-gravitating sphere. Damped steps of the solver then settle it until its forces
-/// balance. A run may be interrupted between two cycles and continues with the same bits.
+/// balance, about its rotation where it spins. A run may be interrupted between two cycles and
+/// continues with the same bits.
 class Settling {
  public:
   /// Throws PackingStopped where `stop` returns true while particles are packed.
@@ -22,7 +23,8 @@ class Settling {
   /// Makes a few damped steps. Throws NumericalError where the body does not come to rest.
   void cycle();
   const step::Solver& solver() const { return solver_; }
-  /// The body at the origin at time 0, without velocity and heat. Its ids are 0 to n-1.
+  /// The body at the origin at time 0, with the velocities of its rotation and without heat. Its
+  /// ids are 0 to n-1.
   particles::State body() const;
 
  private:
@@ -30,6 +32,7 @@ class Settling {
   particles::Body body_;
   double radius_;    ///< m
   double crossing_;  ///< time that sound needs to cross the body, s
+  Vec3 omega_;       ///< angular velocity, rad/s
   step::Solver solver_;
 };
 

@@ -9,6 +9,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/sha256.hpp"
+#include "solver/base/sphere.hpp"
 #include "solver/base/two_bodies.hpp"
 #include "solver/scene/scene_schema_text.hpp"
 #include "solver/scene/schemes.hpp"
@@ -32,6 +33,12 @@ namespace {
 template <class SceneType, class Visit>
 void visit_fields(SceneType& s, Visit&& visit) {
   visit("/target/radius_m", s.target.radius_m);
+  visit("/target/spin/period_h", s.target.spin.period_h);
+  visit("/target/spin/tilt_deg", s.target.spin.tilt_deg);
+  visit("/target/spin/node_deg", s.target.spin.node_deg);
+  visit("/impactor/spin/period_h", s.impactor.spin.period_h);
+  visit("/impactor/spin/tilt_deg", s.impactor.spin.tilt_deg);
+  visit("/impactor/spin/node_deg", s.impactor.spin.node_deg);
   visit("/impact/q", s.impact.q);
   visit("/impact/v_imp_cm_per_s", s.impact.v_imp_cm_per_s);
   visit("/impact/theta_imp_deg", s.impact.theta_imp_deg);
@@ -115,6 +122,27 @@ void normalise_integers(json& node) {
   }
 }
 
+/// A body of loose rubble that turns faster than friction allows would flow before the impact.
+void require_standing(const Scene& scene, const Scene::Spin& spin, const std::string& field) {
+  const Scene::Material& m = scene.material;
+  const bool is_loose = m.rheology == "fluid" ||
+                        (m.rheology == "drucker-prager" && m.drucker_prager.cohesion_Pa == 0);
+  if (spin.period_h == 0 || !is_loose) return;
+  const double friction = m.rheology == "fluid" ? 0 : friction_coefficient(scene);
+  const double fastest = fastest_spin(m.rho0_kg_per_m3, friction);
+  const double shortest_h = fastest > 0 ? 2 * pi / fastest / 3600 : 0;
+  if (fastest > 0 && spin.period_h >= shortest_h) return;
+  throw InputError(
+      fastest > 0
+          ? fmt::format("{}.period_h = {:g}: at a friction angle of {:g} deg a sphere without "
+                        "cohesion stands no shorter period than {:.4g} h; give {:.3g} or more",
+                        field, spin.period_h, m.drucker_prager.phi_d_deg, shortest_h,
+                        1.05 * shortest_h)
+          : fmt::format("{}.period_h = {:g}: a sphere without friction stands no rotation; set it "
+                        "to 0, or material.rheology to \"drucker-prager\"",
+                        field, spin.period_h));
+}
+
 /// What no single field's range can say.
 void require_consistent(const Scene& scene, const std::string& where) {
   const Scene::Material& m = scene.material;
@@ -158,6 +186,8 @@ void require_consistent(const Scene& scene, const std::string& where) {
         fmt::format("{}.numerics.rigid_flight = true: what lands in a flight keeps no energy "
                     "budget; set it to false, or material.energy to \"none\"",
                     where));
+  require_standing(scene, scene.target.spin, where + ".target.spin");
+  require_standing(scene, scene.impactor.spin, where + ".impactor.spin");
   const std::vector<Scene::Wall>& walls = scene.environment.walls;
   for (std::size_t a = 0; a < walls.size(); ++a)
     for (std::size_t b = a + 1; b < walls.size(); ++b) {
@@ -268,6 +298,8 @@ json to_json(const Scene& scene) {
   visit_fields(scene,
                [&](const char*, const auto& member) { document[pointers[field++]] = member; });
   leave_out_younger_fields(document["numerics"]);
+  if (scene.target.spin.period_h == 0) document["target"].erase("spin");
+  if (scene.impactor.spin.period_h == 0) document.erase("impactor");
   return document;
 }
 
@@ -307,6 +339,13 @@ double bulk_sound_speed(const Scene& s) {
                    : m.eos == "linear"  ? m.linear.bulk_modulus_Pa
                                         : 0;
   return std::sqrt(K / m.rho0_kg_per_m3);
+}
+Vec3 spin(const Scene::Spin& s) {
+  if (s.period_h == 0) return {};
+  const double omega = 2 * pi / (3600 * s.period_h), tilt = radians(s.tilt_deg),
+               node = radians(s.node_deg);
+  return omega *
+         Vec3{std::sin(tilt) * std::cos(node), std::sin(tilt) * std::sin(node), std::cos(tilt)};
 }
 double friction_coefficient(const Scene& s) {
   return std::tan(radians(s.material.drucker_prager.phi_d_deg));

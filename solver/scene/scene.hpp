@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/base/vec3.hpp"
+
 namespace eerie {
 
 /// A run examines its remnants this many times per end.settled.window_s.
@@ -16,9 +18,21 @@ inline constexpr int looks_per_window = 8;
 /// carry their unit. scene.schema.json holds defaults, ranges and meanings; parse_scene() applies
 /// it. An instance holds validated values only.
 struct Scene {
+  /// The rotation of a body before the impact.
+  struct Spin {
+    double period_h;  ///< 0: it does not turn
+    double tilt_deg;  ///< between its axis and that of the orbit; 0: prograde, 180: retrograde
+    double node_deg;  ///< azimuth of its axis about that of the orbit, from the x-axis
+  };
+
   struct Target {
     double radius_m;
+    Spin spin;
   } target;
+
+  struct Impactor {
+    Spin spin;
+  } impactor;
 
   struct Impact {
     double q;               ///< impactor mass over target mass, 0 < q <= 1
@@ -171,6 +185,8 @@ double viscosity_length_ratio(const Scene& scene);
 std::int64_t impactor_particles(const Scene& scene);
 double contact_distance(const Scene& scene);
 double friction_coefficient(const Scene& scene);
+/// The angular velocity of a body before the impact, rad/s. The orbit turns about the z-axis.
+Vec3 spin(const Scene::Spin& spin);
 double bulk_sound_speed(const Scene& scene);  ///< sqrt(K/rho0) of the cold material; 0 for a gas
 /// Whether particles carry an internal energy; whether they carry a damage that grows.
 inline bool has_energy(const Scene& scene) { return scene.material.energy == "integrated"; }

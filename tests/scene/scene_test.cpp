@@ -49,6 +49,38 @@ TEST(Scene, ReadsBackAFieldThatIsOffThoughItsSchemeTurnsItOn) {
     }
 }
 
+TEST(Scene, KeepsItsHashWhereNoBodySpins) {
+  const Scene plain = parse_scene({});
+  const Scene still = parse_scene({{"target", {{"spin", {{"period_h", 0}, {"tilt_deg", 30}}}}},
+                                   {"impactor", {{"spin", {{"period_h", 0}}}}}});
+  EXPECT_EQ(scene_hash(still), scene_hash(plain));
+  for (const char* body : {"target", "impactor"}) {
+    const Scene turning = parse_scene({{body, {{"spin", {{"period_h", 6}, {"tilt_deg", 180}}}}}});
+    EXPECT_NE(scene_hash(turning), scene_hash(plain));
+    EXPECT_EQ(scene_hash(parse_scene(to_json(turning))), scene_hash(turning));
+  }
+}
+
+TEST(Scene, RefusesASpinThatFrictionCannotHoldAndNamesTheLimit) {
+  const auto with = [](double period_h, json material = json::object()) {
+    return json{{"impactor", {{"spin", {{"period_h", period_h}}}}}, {"material", material}};
+  };
+  const auto refusal = [&](const json& scene) {
+    try {
+      parse_scene(scene);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refusal(with(2)),
+              testing::HasSubstr("impactor.spin.period_h = 2: at a friction angle of 40"));
+  EXPECT_THAT(refusal(with(2)), testing::HasSubstr("no shorter period than 2.34 h"));
+  EXPECT_EQ(refusal(with(2.4)), "");
+  EXPECT_EQ(refusal(with(2, {{"drucker_prager", {{"cohesion_Pa", 10}}}})), "");
+  EXPECT_THAT(refusal(with(20, {{"rheology", "fluid"}})), testing::HasSubstr("without friction"));
+}
+
 TEST(Scene, TakesDefaultsFromItsSchemeUnlessItSaysOtherwise) {
   const Scene paper = parse_scene({{"numerics", {{"scheme", "libersky-petschek-2018"}}}});
   EXPECT_EQ(paper.numerics.gradient, "corrected-rate");

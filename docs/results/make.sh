@@ -1,0 +1,33 @@
+#!/bin/sh
+# Draws everything in this folder from the campaign's database. It runs no impact.
+#   docs/results/make.sh [DATABASE]      (from the root of the repository, after `make build`)
+set -eu
+eerie=${EERIE:-build/eerie}
+out=docs/results
+db=${1:-$out/table2.sqlite}
+of="--db $db --fidelity standard"
+columns=hash,q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,v_over_v_esc,seed,fidelity,class,m_lr_over_m_total
+columns=$columns,m_slr_over_m_total,b_over_a,c_over_a,period_h,eer,n_eer,n_remnants,settled
+columns=$columns,ended_at_s,end_reason,dL_over_L,particle_steps,wall_s,solver_version
+
+draw() { # NAME Q PHI_D: the maps of one series, and the ridge where there is one
+  map="$of --q $2 --phi-d $3"
+  $eerie map $map -o $out/$1-b-over-a.svg
+  $eerie map $map --quantity class,p-eer,m-lr,period -o $out/$1-panels.png
+  rm -f $out/$1-panels.csv # the same numbers as in $1-b-over-a.csv
+  if $eerie threshold $map > $out/$1-threshold.txt; then
+    $eerie threshold $map -o $out/$1-threshold.svg > /dev/null
+  fi
+}
+draw fig2 1 40
+draw fig4 1 50
+draw fig6 0.5 50
+draw q025 0.25 50
+draw phi30 1 30
+
+$eerie threshold --db $db -o $out/threshold.csv > /dev/null
+$eerie check --db $db > $out/check.txt
+$eerie odds $of -o $out/odds.svg -o $out/odds.csv > /dev/null
+$eerie query --db $db --columns $columns -o $out/results.csv
+$eerie query --db $db --of remnants -o $out/remnants.csv
+$eerie sizes $of -o $out/sizes.svg > /dev/null
