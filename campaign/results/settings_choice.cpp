@@ -1,15 +1,13 @@
-#include "campaign/maps/settings_choice.hpp"
+#include "campaign/results/settings_choice.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <vector>
 
-#include "db/jobs/job_settings.hpp"
 #include "solver/base/error.hpp"
 
-namespace eerie::maps {
+namespace eerie::results {
 using nlohmann::json;
 
 namespace {
@@ -52,22 +50,33 @@ std::string told(const json& scene, const std::vector<std::string>& fields) {
 
 }  // namespace
 
-std::string settings_choices(const db::Connection& connection, const std::set<std::int64_t>& ids) {
-  std::vector<db::JobSettings> choices;
-  for (db::JobSettings& one : db::job_settings(connection))
-    if (ids.contains(one.id)) choices.push_back(std::move(one));
+std::vector<SettingsDifference> differences(const db::Connection& connection,
+                                            const std::set<std::int64_t>& ids) {
+  std::vector<SettingsDifference> found;
   std::vector<json> scenes;
-  for (const db::JobSettings& one : choices) scenes.push_back(json::parse(one.scene).flatten());
+  for (db::JobSettings& one : db::job_settings(connection))
+    if (ids.contains(one.id)) {
+      scenes.push_back(json::parse(one.scene).flatten());
+      found.push_back({std::move(one), ""});
+    }
   const std::vector<std::string> fields = differing(scenes);
+  for (std::size_t k = 0; k < found.size(); ++k) found[k].fields = told(scenes[k], fields);
+  return found;
+}
+
+std::string settings_choices(const db::Connection& connection, const std::set<std::int64_t>& ids) {
+  const std::vector<SettingsDifference> choices = differences(connection, ids);
   std::string text;
-  for (std::size_t k = 0; k < choices.size(); ++k) {
-    const std::string& name = choices[k].fidelity;
+  for (const auto& [settings, fields] : choices) {
     // A name may have meant something else to an older version of the program.
-    const bool tells =
-        !name.empty() && std::ranges::count(choices, name, &db::JobSettings::fidelity) == 1;
-    text += fmt::format("\n  {:<19} {}",
-                        tells ? "--fidelity " + name : fmt::format("--settings {}", choices[k].id),
-                        told(scenes[k], fields));
+    const bool tells = !settings.fidelity.empty() &&
+                       std::ranges::count_if(choices, [&](const SettingsDifference& other) {
+                         return other.settings.fidelity == settings.fidelity;
+                       }) == 1;
+    text += fmt::format(
+        "\n  {:<19} {}",
+        tells ? "--fidelity " + settings.fidelity : fmt::format("--settings {}", settings.id),
+        fields);
   }
   return text;
 }
@@ -79,4 +88,4 @@ void require_one_settings(const db::Connection& connection, const std::set<std::
                     connection.path().string(), ids.size(), settings_choices(connection, ids)));
 }
 
-}  // namespace eerie::maps
+}  // namespace eerie::results

@@ -1,4 +1,4 @@
-#include "campaign/maps/settings_choice.hpp"
+#include "campaign/results/settings_choice.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include "solver/base/error.hpp"
 #include "tests/support/impact_database.hpp"
 
-namespace eerie::maps {
+namespace eerie::results {
 namespace {
 using nlohmann::json;
 using test::survey_scene;
@@ -56,4 +56,4 @@ TEST_F(SettingsChoice, IsAskedForOnlyWhereThereAreSeveral) {
 }
 
 }  // namespace
-}  // namespace eerie::maps
+}  // namespace eerie::results
