@@ -68,6 +68,17 @@ Tally tally(const db::Connection& connection, std::int64_t sweep) {
           counts[db::JobState::pending] + counts[db::JobState::running], counts.paused};
 }
 
+nlohmann::json to_json(const Tally& t) {
+  return {{"total", t.total}, {"done", t.done}, {"failed", t.failed}, {"left", t.left}};
+}
+
+Tally tally_of(const nlohmann::json& document) {
+  Tally t;
+  document.at("total").get_to(t.total), document.at("done").get_to(t.done);
+  document.at("failed").get_to(t.failed), document.at("left").get_to(t.left);
+  return t;
+}
+
 db::Speed known_speed(const db::Connection& connection) {
   const db::Speed speed = db::speed(connection);
   return speed.is_measured() ? speed : assumed_speed;

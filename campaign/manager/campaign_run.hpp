@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -62,6 +63,9 @@ struct Tally {
   std::size_t paused = 0;  ///< number of jobs among `left` that are paused
 };
 Tally tally(const db::Connection& connection, std::int64_t sweep);
+/// {"total", "done", "failed", "left"}, and back.
+nlohmann::json to_json(const Tally& tally);
+Tally tally_of(const nlohmann::json& document);
 
 /// The first of `runs`, each with a `scene`, that together cost at most `core_hours`.
 template <class Run>

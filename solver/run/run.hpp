@@ -44,6 +44,13 @@ struct RunSummary {
   double steps_here = 0;  ///< steps done by this process
   long list_builds = 0;   ///< of this process
   int threads = 1;
+
+  /// Of the stepping in this process alone: bodies are made once, however long the run.
+  double particle_steps_per_core_second() const {
+    const double core_seconds = stages.total() * threads;
+    return core_seconds > 0 ? steps_here * static_cast<double>(last.state.size()) / core_seconds
+                            : 0;
+  }
 };
 
 struct LookQuestion {

@@ -1,41 +1,27 @@
 #include "campaign/cli/running/notices.hpp"
 
-#include <fmt/format.h>
-
 #include "campaign/process/hook.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;
+using manager::News;
 
 namespace {
 
-void tell(const NoticeArguments& arguments, const std::string& event, const fs::path& database,
-          process::Hook::Facts facts) {
-  facts.insert(facts.begin(),
-               {{"EERIE_EVENT", event},
-                {"EERIE_DATABASE", database.empty() ? "" : fs::absolute(database).string()}});
-  const std::string problem = process::Hook(arguments.program).tell(event, facts);
+void tell(const NoticeArguments& arguments, const fs::path& database, const News& news) {
+  const std::string problem = manager::tell(arguments.program, database, news);
   if (!problem.empty()) complain("eerie: --notify could not be told: " + problem);
 }
 
-std::string event_of(const Answer& answer) {
-  return answer.exit_code == 0                   ? "ended"
-         : answer.exit_code == stopped_by_signal ? "stopped"
-                                                 : "failed";
-}
-
-process::Hook::Facts facts_of(const Answer& answer) {
-  process::Hook::Facts facts;
-  if (!answer.data.is_object()) return facts;
-  if (answer.data.contains("sweep"))
-    facts.emplace_back("EERIE_SWEEP", answer.data.at("sweep").get<std::string>());
-  if (!answer.data.contains("jobs")) return facts;
-  const nlohmann::json& jobs = answer.data.at("jobs");
-  for (const auto& [name, key] :
-       {std::pair("EERIE_JOBS", "total"), std::pair("EERIE_DONE", "done"),
-        std::pair("EERIE_FAILED", "failed"), std::pair("EERIE_LEFT", "left")})
-    if (jobs.is_object() && jobs.contains(key)) facts.emplace_back(name, jobs.at(key).dump());
-  return facts;
+News news_of(const Answer& answer) {
+  News news;
+  news.event = answer.exit_code == 0                   ? "ended"
+               : answer.exit_code == stopped_by_signal ? "stopped"
+                                                       : "failed";
+  if (!answer.data.is_object()) return news;
+  news.sweep = answer.data.value("sweep", "");
+  if (answer.data.contains("jobs")) news.jobs = manager::tally_of(answer.data.at("jobs"));
+  return news;
 }
 
 }  // namespace
@@ -54,26 +40,18 @@ Action with_news_of_end(Action action, std::shared_ptr<NoticeArguments> argument
     const process::Hook there_is_one(arguments->program);
     try {
       Answer answer = action(out);
-      tell(*arguments, event_of(answer), database, facts_of(answer));
+      tell(*arguments, database, news_of(answer));
       return answer;
     } catch (const std::exception& error) {
-      tell(*arguments, "failed", database, {{"EERIE_MESSAGE", error.what()}});
+      tell(*arguments, database, {.event = "failed", .message = error.what()});
       throw;
     }
   };
 }
 
-IdleNews::IdleNews(const NoticeArguments& arguments, fs::path database)
-    : arguments_(arguments), database_(std::move(database)) {}
-
 void IdleNews::look(const manager::CampaignView& view) {
-  const auto moment = idleness_.look(view);
-  if (!moment) return;
-  tell(arguments_, *moment == manager::Idleness::Moment::idle ? "idle" : "failed", database_,
-       {{"EERIE_JOBS", fmt::format("{}", view.total)},
-        {"EERIE_DONE", fmt::format("{}", view.done)},
-        {"EERIE_FAILED", fmt::format("{}", view.failed)},
-        {"EERIE_LEFT", fmt::format("{}", view.paused)}});
+  if (const auto moment = idleness_.look(view))
+    tell(arguments_, database_, manager::news_of(*moment, view));
 }
 
 }  // namespace eerie::cli

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "campaign/cli/options/options.hpp"
-#include "campaign/manager/waiting/idleness.hpp"
+#include "campaign/manager/waiting/news.hpp"
 
 namespace eerie::cli {
 
@@ -24,7 +24,8 @@ Action with_news_of_end(Action action, std::shared_ptr<NoticeArguments> argument
 /// the last time.
 class IdleNews {
  public:
-  IdleNews(const NoticeArguments& arguments, std::filesystem::path database);
+  IdleNews(const NoticeArguments& arguments, std::filesystem::path database)
+      : arguments_(arguments), database_(std::move(database)) {}
   void look(const manager::CampaignView& view);
 
  private:

@@ -67,7 +67,7 @@ Answer report(const db::Connection& connection, const RunArguments& a, const swe
   answer.data = {
       {"sweep", name},
       {"database", a.database.string()},
-      {"jobs", {{"total", t.total}, {"done", t.done}, {"failed", t.failed}, {"left", t.left}}},
+      {"jobs", manager::to_json(t)},
       {"results", records(results::plain_table(db::rows(connection, {.sweeps = {sweep}})))},
       {"failures", overview::to_json(failures)},
       {"pictures", names_of(pictures)}};

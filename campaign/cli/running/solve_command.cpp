@@ -33,15 +33,6 @@ struct SolveArguments {
   SceneChanges changes;
 };
 
-double particle_steps_here(const run::RunSummary& s) {
-  return s.steps_here * static_cast<double>(s.last.state.size());
-}
-
-/// Of the stepping alone: the making of the bodies happens once, however long the run.
-double rate_per_core(const run::RunSummary& s) {
-  return s.stages.total() > 0 ? particle_steps_here(s) / (s.stages.total() * s.threads) : 0;
-}
-
 /// Where the run is, in a line for people.
 std::string text_of(const run::Progress& p) {
   return fmt::format("{:.6g} of {:.6g} s, step {}, dt {:.3g} s", p.time, p.end_time, p.step, p.dt);
@@ -51,8 +42,8 @@ void add_cost(Answer& answer, const run::RunSummary& s) {
   answer.say("{} steps to {:.6g} s, {} particle-steps; {:.0f} steps here in {} on {}\n",
              s.progress.step, s.progress.time, magnitude(s.progress.particle_steps), s.steps_here,
              duration(s.progress.wall_s), count_of(static_cast<std::size_t>(s.threads), "thread"));
-  answer.say("{} particle-steps per second and core ({})\n\n", magnitude(rate_per_core(s)),
-             vector_variant);
+  answer.say("{} particle-steps per second and core ({})\n\n",
+             magnitude(s.particle_steps_per_core_second()), vector_variant);
   Table table{{shown("stage"), shown("s", "{:.2f}"), shown("%", "{:.1f}")}, {}};
   const double wall = std::max(s.progress.wall_s, s.stages.total());
   const auto add = [&](std::string_view name, double seconds) {
@@ -86,7 +77,7 @@ Answer report(const Scene& scene, const SolveArguments& a, const worker::Compute
   if (finished)
     install_text(job_folder::JobDirectory{a.directory}.result(), answer.data.dump(1) + "\n");
   answer.data["finished"] = finished;
-  answer.data["run"]["particle_steps_per_core_second"] = rate_per_core(summary);
+  answer.data["run"]["particle_steps_per_core_second"] = summary.particle_steps_per_core_second();
   add_cost(answer, summary);
   add_outcome(answer, answer.data.at("analysis"));
   if (summary.end == run::RunEnd::step_limit)
