@@ -137,7 +137,8 @@ void add_finer(std::vector<NextStep>& steps, const TypedRun& run, const sweeps::
       plan.jobs, [&](const db::NewJob& job) { return job.fidelity == fidelity; });
   const std::string finer(one ? sweeps::rung_above(fidelity) : "");
   if (finer.empty()) return;
-  for (const auto& [pointer, ignored] : sweeps::settings_of(finer).flatten().items())
+  const json settings = sweeps::settings_of(finer).flatten();
+  for (const auto& [pointer, ignored] : settings.items())
     if (varies(plan.sweep, sweeps::dotted(pointer))) return;
   TypedRun again = run;
   again.changes.fidelity = finer;

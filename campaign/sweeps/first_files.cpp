@@ -82,7 +82,7 @@ json axes_schema() {
     json value = *field.schema;
     value.erase("description"), value.erase("default");
     json list = {{"type", "array"}, {"items", value}, {"minItems", 1}, {"uniqueItems", true}};
-    json axis = {{"anyOf", {list}}};
+    json axis = {{"anyOf", json::array({list})}};
     if (is_numeric(field))
       axis["anyOf"].push_back(
           {{"type", "object"},

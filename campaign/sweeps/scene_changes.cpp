@@ -20,7 +20,8 @@ std::map<std::string, json> fields_of(const std::string& fidelity) {
   std::map<std::string, json> fields;
   if (fidelity.empty()) return fields;
   if (fidelity != "auto") {
-    for (const auto& [pointer, value] : settings_of(fidelity).flatten().items())
+    const json settings = settings_of(fidelity).flatten();
+    for (const auto& [pointer, value] : settings.items())
       fields[dotted(pointer)] = value;
     return fields;
   }

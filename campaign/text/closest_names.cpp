@@ -71,9 +71,13 @@ std::string closest_names(const std::string& given, std::vector<std::string> nam
 
 std::vector<std::string> likely_names(const std::string& given, std::vector<std::string> names) {
   names = by_distance(given, std::move(names));
-  // A slip in each three letters.
-  const std::size_t most = std::max<std::size_t>(1, last_part(given).size() / 3);
-  std::erase_if(names, [&](const std::string& name) { return distance(given, name) > most; });
+  // A slip in each three letters; but of a single letter all would be one slip away.
+  const std::size_t letters = last_part(given).size();
+  const std::size_t most = std::max<std::size_t>(1, letters / 3);
+  std::erase_if(names, [&](const std::string& name) {
+    const std::size_t far = distance(given, name);
+    return far > most || far >= letters;
+  });
   // What is meant goes alone: names that only look like it would confuse.
   if (!names.empty() && distance(given, names.front()) == 0)
     std::erase_if(names, [&](const std::string& name) { return distance(given, name) > 0; });

@@ -74,6 +74,10 @@ constexpr Synonym synonyms[] = {
     {"directory", "job_folder"},
     {"id", "hash"},
     // options
+    {"velocity", "v"},
+    {"speed", "v"},
+    {"angle", "theta"},
+    {"friction", "phi-d"},
     {"database", "db"},
     {"out", "output"},
     {"file", "output"},

@@ -99,7 +99,7 @@ TEST_F(Run, RefusesWhatIsWrongOnTheCommandLine) {
       {{"run"}, "SWEEP"},
       {{"run", "nowhere.json"}, "nowhere.json"},
       {{"run", "sweep.json", "--fast"}, "`eerie run` has no option --fast"},
-      {{"run", "sweep.json", "--databse", "a"}, "did you mean --db?"},
+      {{"run", "sweep.json", "--database", "a"}, "did you mean --db?"},
       {{"run", "sweep.json", "--velocity", "20"}, "--set impact.v_imp_cm_per_s=VALUE"},
       {{"catalogue", "import", "x", "--out=y"}, "did you mean --output?"},
       {{"run", "sweep.json", "--workers", "0"}, "--workers"},

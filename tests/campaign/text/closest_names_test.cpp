@@ -35,7 +35,7 @@ TEST(ClosestNames, StillKnowThemBySpelling) {
 
 TEST(LikelyNames, AreThoseThatAreMeantAloneOrThoseNearby) {
   EXPECT_THAT(likely_names("velocity", fields), ElementsAre("impact.v_imp_cm_per_s"));
-  EXPECT_THAT(likely_names("--databse", {"--db", "--set"}), ElementsAre("--db"));
+  EXPECT_THAT(likely_names("--database", {"--db", "--set"}), ElementsAre("--db"));
   EXPECT_THAT(likely_names("quary", {"query", "map", "run"}), ElementsAre("query"));
   EXPECT_THAT(likely_names("plot", {"query", "map", "run"}), ElementsAre("map"));
   EXPECT_THAT(likely_names("--worker", {"--workers", "--db"}), ElementsAre("--workers"));
