@@ -223,7 +223,8 @@ Scene parse_at(const Sweep& sweep, const std::vector<std::string>& paths,
 json shared_scene(const Sweep& sweep) {
   if (varies_default_fidelity(sweep)) return sweep.scene;
   json scene = over_default_fidelity(sweep.scene);
-  for (const std::string& path : Grid(sweep).paths()) erase_field(scene, path);
+  const Grid grid(sweep);
+  for (const std::string& path : grid.paths()) erase_field(scene, path);
   return scene;
 }
 

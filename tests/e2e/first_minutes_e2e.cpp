@@ -154,7 +154,7 @@ TEST_F(FirstMinutes, CompareKernelsAndSchemesInOneRun) {
   EXPECT_EQ(both.code, 2);
   EXPECT_THAT(both.err, HasSubstr("numerics.kernel=cubic-spline"));
   for (const json& row : rows)
-    EXPECT_TRUE(fs::is_directory(folder / row.at("job_folder").get<std::string>()));
+    EXPECT_TRUE(fs::is_directory(folder.path() / row.at("job_folder").get<std::string>()));
 }
 
 TEST_F(FirstMinutes, TellSweepsOfOneNameApart) {

@@ -36,7 +36,7 @@ bool takes(const json& schema, const json& given) {
 TEST(FirstFiles, AreASweepAndASceneThatTheProgramTakes) {
   const test::TemporaryFolder folder;
   for (const FirstFile& file : first_files(".").files)
-    install_text(folder / file.name, file.content);
+    install_text(folder.path() / file.name, file.content);
   const Sweep sweep = load_sweep(folder / "impacts.json");
   EXPECT_EQ(point_count(sweep), 9u);
   EXPECT_EQ(expand(sweep).front().target.radius_m, 50);
