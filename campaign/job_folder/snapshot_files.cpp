@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 #include "solver/io/snapshot.hpp"
 
 namespace eerie::job_folder {

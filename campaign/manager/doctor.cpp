@@ -16,7 +16,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 #include "solver/base/free_space.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 #include "solver/base/version.hpp"
 #include "solver/io/snapshot.hpp"
 

@@ -11,7 +11,7 @@
 #include "campaign/sweeps/scene_field.hpp"
 #include "campaign/text/given_file.hpp"
 #include "campaign/text/plain_text.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::overview {
 using db::ResultRow;

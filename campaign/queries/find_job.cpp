@@ -8,7 +8,7 @@
 #include "campaign/queries/numbers.hpp"
 #include "db/jobs/jobs.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::queries {
 namespace {

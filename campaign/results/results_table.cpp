@@ -7,7 +7,7 @@
 
 #include "campaign/job_folder/result_file.hpp"
 #include "campaign/results/settings_choice.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::results {
 using db::ResultRow;

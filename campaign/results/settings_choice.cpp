@@ -6,6 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/base/error.hpp"
+#include "solver/scene/scene.hpp"
+#include "solver/scene/schemes.hpp"
+#include "solver/scene/validate.hpp"
 
 namespace eerie::results {
 using nlohmann::json;
@@ -14,14 +17,31 @@ namespace {
 
 constexpr std::size_t most_fields = 5;
 
-/// Fields by pointer in which not all scenes agree; what most decides a result comes first.
+/// Whether a scene has this field as its scheme makes it; then the scheme's name says it.
+bool is_of_scheme(const json& scene, const std::string& field) {
+  const std::string group = "/numerics/";
+  const json scheme = scene.value(group + "scheme", json());
+  if (!field.starts_with(group) || field == group + "scheme") return false;
+  if (std::ranges::none_of(schemes, [&](const Scheme& one) { return scheme == one.token; }))
+    return false;
+  if (!scene.contains(field)) return true;  // off, and the scheme does not turn it on
+  const std::string name = field.substr(group.size());
+  const json& of_scheme = numerics_of_scheme(scheme);
+  if (of_scheme.contains(name)) return of_scheme.at(name) == scene.at(field);
+  const json* schema = schema_at(scene_schema(), "numerics." + name);
+  return schema != nullptr && schema->value("default", json()) == scene.at(field);
+}
+
+/// Fields by pointer in which not all scenes agree, but for what their schemes say already. What
+/// most decides a result comes first.
 std::vector<std::string> differing(const std::vector<json>& scenes) {
   std::set<std::string> fields;
   for (const json& scene : scenes)
     for (const auto& [field, value] : scene.items()) fields.insert(field);
   std::vector<std::string> found;
   for (const std::string& field : fields)
-    if (std::ranges::any_of(scenes, [&](const json& s) {
+    if (!std::ranges::all_of(scenes, [&](const json& s) { return is_of_scheme(s, field); }) &&
+        std::ranges::any_of(scenes, [&](const json& s) {
           return s.value(field, json()) != scenes.front().value(field, json());
         }))
       found.push_back(field);

@@ -9,7 +9,7 @@
 
 #include "solver/base/file.hpp"
 #include "solver/base/files/folders.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::slurm {
 namespace fs = std::filesystem;

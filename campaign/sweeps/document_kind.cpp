@@ -10,7 +10,7 @@
 #include "campaign/sweeps/scene_field.hpp"
 #include "campaign/text/closest_names.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie::sweeps {

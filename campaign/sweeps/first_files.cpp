@@ -7,7 +7,7 @@
 
 #include "campaign/sweeps/scene_field.hpp"
 #include "campaign/sweeps/sweep_schema_text.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/scene/validate.hpp"
 

@@ -21,8 +21,7 @@ std::map<std::string, json> fields_of(const std::string& fidelity) {
   if (fidelity.empty()) return fields;
   if (fidelity != "auto") {
     const json settings = settings_of(fidelity).flatten();
-    for (const auto& [pointer, value] : settings.items())
-      fields[dotted(pointer)] = value;
+    for (const auto& [pointer, value] : settings.items()) fields[dotted(pointer)] = value;
     return fields;
   }
   for (const Fidelity& rung : fidelities) {

@@ -12,7 +12,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 #include "solver/base/sha256.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 #include "solver/io/snapshot.hpp"
 
 namespace eerie::worker {

@@ -14,7 +14,7 @@
 #include "db/store/file_system.hpp"
 #include "db/store/migrations.hpp"
 #include "db/store/without_log.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::db {
 namespace fs = std::filesystem;

@@ -16,7 +16,7 @@
 #include "db/store/schema_4.hpp"
 #include "db/store/schema_5.hpp"
 #include "db/store/schema_6.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::db {
 namespace {

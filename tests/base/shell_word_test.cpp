@@ -1,4 +1,4 @@
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 #include <gtest/gtest.h>
 

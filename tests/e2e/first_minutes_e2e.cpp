@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/base/file.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/program.hpp"

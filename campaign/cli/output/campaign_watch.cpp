@@ -1,7 +1,7 @@
 #include "campaign/cli/output/campaign_watch.hpp"
 
 #include "campaign/cli/output/complain.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace {

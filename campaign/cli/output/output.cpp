@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "campaign/text/json_text.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 

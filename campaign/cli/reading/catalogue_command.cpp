@@ -9,7 +9,7 @@
 #include "campaign/cli/output/files.hpp"
 #include "campaign/sweeps/job.hpp"
 #include "campaign/text/given_file.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include "campaign/results/results_table.hpp"
 #include "campaign/text/given_file.hpp"
 #include "campaign/text/json_file.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 using auto_fidelity::AutoFidelity;

@@ -2,7 +2,7 @@
 #include "campaign/cli/options/study_options.hpp"
 #include "campaign/studies/convergence_files.hpp"
 #include "campaign/text/given_folder.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;

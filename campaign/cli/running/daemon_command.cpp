@@ -11,7 +11,7 @@
 #include "campaign/process/cores.hpp"
 #include "campaign/process/notify.hpp"
 #include "campaign/process/signals.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "campaign/sweeps/plan.hpp"
 #include "campaign/sweeps/sweep.hpp"
 #include "db/store/connection.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 #include "campaign/cli/output/progress_line.hpp"
 #include "campaign/overview/campaign_look.hpp"
 #include "campaign/process/signals.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;

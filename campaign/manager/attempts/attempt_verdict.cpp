@@ -9,7 +9,7 @@
 #include "db/jobs/jobs.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
-#include "solver/base/shell_word.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::manager {
 namespace fs = std::filesystem;

@@ -155,7 +155,7 @@ inline const std::vector<MalformedSweep>& malformed_sweeps() {
       {"AxisOfFlagsAsWords", with_grid(R"({"numerics.rigid_flight": ["true"]})"),
        "must be true or false"},
       {"AxisOfWordsAsRange", with_grid(R"({"numerics.kernel": {"from": 1, "to": 2, "step": 1}})"),
-       "must be a list of values; for example [\"wendland-c2\"]"},
+       "must be a list of values; for example [\"cubic-spline\"]"},
       {"AxisOfALists", with_grid(R"({"environment.walls": [[]]})"), "must be a field of one value"},
       {"AxisOfOutput", with_grid(R"({"output.history_interval_s": [100, 200]})"),
        "put it into \"scene\""},
