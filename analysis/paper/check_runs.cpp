@@ -5,23 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/base/text/shell_word.hpp"
+
 namespace eerie::paper {
 
 namespace {
 
-/// A word of a shell command.
-std::string quoted(const std::string& word) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 std::string run_sweep(const std::string& sweep, const RunSettings& settings,
                       const std::string& database, const std::string& changes) {
-  return fmt::format("eerie run {} --db {} --fidelity {}{}{}", sweep, quoted(database),
+  return fmt::format("eerie run {} --db {} --fidelity {}{}{}", sweep, shell_word(database),
                      settings.fidelity.empty() ? "survey" : settings.fidelity,
                      changes.empty() ? "" : " ", changes);
 }

@@ -47,6 +47,20 @@ std::string point_of(const Scene& s) {
                      s.impact.v_imp_cm_per_s, s.impact.theta_imp_deg);
 }
 
+/// Its maps and tables name an impact by numbers.
+void require_numbers(const sweeps::Sweep& sweep) {
+  const auto require = [&](const std::string& path, const nlohmann::json& value) {
+    if (!value.is_number())
+      throw InputError(fmt::format(
+          "{}: {} varies and is no number, which --fidelity auto does not compare; leave it out, "
+          "or name one fidelity",
+          sweep.where, path));
+  };
+  for (const sweeps::Axis& axis : sweep.axes) require(axis.path, axis.values.front());
+  for (std::size_t k = 0; k < sweep.points.paths.size(); ++k)
+    require(sweep.points.paths[k], sweep.points.rows.front()[k]);
+}
+
 }  // namespace
 
 std::vector<Rung> ladder(const nlohmann::json& sweep, const std::vector<std::string>& overrides,
@@ -87,6 +101,7 @@ AutoFidelity::AutoFidelity(std::vector<Rung> rungs, AutoOptions options)
     throw InputError(fmt::format(
         "{}: grid: numerics.seed is chosen by --fidelity auto and is an axis too; leave it out",
         lowest.where));
+  require_numbers(lowest);
   cells_.resize(sweeps::point_count(lowest));
   for (const Rung& rung : rungs_) {
     std::vector<Scene> scenes = sweeps::expand(rung.sweep);

@@ -61,6 +61,12 @@ manager::Tally run_auto(db::Connection& connection, AutoFidelity& campaign, cons
   return last;
 }
 
+bool is_budget_spent(const AutoFidelity& campaign, const AutoPlan& plan,
+                     const db::Connection& connection) {
+  return plan.core_hours > 0 && !campaign.next().empty() &&
+         affordable_next(campaign, plan.core_hours, connection).empty();
+}
+
 text::Table table_of_cells(const AutoFidelity& campaign) {
   const auto scene = [](const char* header, double (*value)(const Scene&)) {
     return Field<AutoCell>{shown(header),

@@ -34,6 +34,10 @@ struct AutoPlan {
 manager::Tally run_auto(db::Connection& connection, AutoFidelity& campaign, const AutoPlan& plan,
                         const manager::Workplace& workplace, AutoObserver& observer);
 
+/// Whether the budget pays for none of the runs that are wanted next.
+bool is_budget_spent(const AutoFidelity& campaign, const AutoPlan& plan,
+                     const db::Connection& connection);
+
 /// A table of the results of each impact, for people.
 text::Table table_of_cells(const AutoFidelity& campaign);
 

@@ -9,6 +9,8 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/job_folder/provenance.hpp"
 #include "campaign/manager/waiting/patience.hpp"
+#include "campaign/manual/mistakes.hpp"
+#include "campaign/sweeps/scene_field.hpp"
 #include "db/store/migrations.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/simd.hpp"
@@ -24,6 +26,10 @@ struct Command {
 };
 
 constexpr Command commands[] = {
+    {"init", "Write a sweep and a scene to begin with, and say what to type next",
+     "  eerie init\n"
+     "  eerie init my-impacts",
+     add_init},
     {"run", "Run every job of a sweep that is not done yet",
      "  eerie run sweeps/first-light.json\n"
      "  eerie run sweeps/table2-fig2b.json --db fig2b.sqlite --workers 8\n"
@@ -153,6 +159,11 @@ constexpr Command commands[] = {
      "  eerie disk --r 30 --alpha 1e-3 --json\n"
      "  eerie disk -o disk --format svg --format pdf",
      add_disk},
+    {"help", "Say what a command does, and its options",
+     "  eerie help\n"
+     "  eerie help run\n"
+     "  eerie help catalogue import",
+     add_help},
     {"manual", "Print man pages, and completions for bash, zsh and fish",
      "  eerie manual run | man -l -\n"
      "  eerie manual --completion bash > ~/.local/share/bash-completion/completions/eerie\n"
@@ -163,14 +174,10 @@ constexpr Command commands[] = {
 };
 
 /// CLI11 only says that a command is required; this says what is wrong with the word given.
-void require_command(int argc, char** argv) {
+void require_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
-  std::string names;
-  for (const Command& command : commands) {
-    if (std::string_view(command.name) == argv[1]) return;
-    if (command.examples != nullptr) names += std::string(names.empty() ? "" : ", ") + command.name;
-  }
-  throw InputError(fmt::format("there is no command \"{}\"; the commands are {}", argv[1], names));
+  if (const std::string fault = manual::unknown_command(app, argv[1]); !fault.empty())
+    throw InputError(fault);
 }
 
 int complaint(const char* text, int code) {
@@ -198,7 +205,11 @@ void add_commands(CLI::App& app, Action& chosen, Output& out) {
 /// --help and --version are answers, all else is a complaint.
 int exit_of_parser(const CLI::App& app, const CLI::ParseError& error, Output& out) {
   std::ostringstream said, complained;
-  app.exit(error, said, complained);
+  if (const std::string unknown = manual::unknown_options(app, sweeps::field_paths());
+      !unknown.empty() && error.get_exit_code() != 0)
+    complained << "eerie: " << unknown;
+  else
+    app.exit(error, said, complained);
   out.write(said.str());
   if (std::string text = complained.str(); !text.empty()) {
     text.erase(text.find_last_not_of('\n') + 1);
@@ -231,12 +242,12 @@ int run_command(int argc, char** argv, Output& out) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 some job failed, 2 bad input, 3 environment, 130 stopped by Ctrl-C.\n"
-      "`eerie COMMAND --help` shows examples.");
+      "`eerie help COMMAND` shows its options, and examples.");
   Action chosen;
   add_commands(app, chosen, out);
   require_finite_numbers(app);
   try {
-    require_command(argc, argv);
+    require_command(app, argc, argv);
     app.parse(argc, argv);
     const Answer answer = chosen(out);
     out.print(answer);

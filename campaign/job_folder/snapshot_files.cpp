@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/base/text/shell_word.hpp"
 #include "solver/io/snapshot.hpp"
 
 namespace eerie::job_folder {
@@ -61,7 +62,7 @@ std::vector<std::size_t> nearest(const std::vector<SnapshotFile>& series,
         "--panels {:g}: no snapshot within {:g} s of it; there are {}. More are written by `eerie "
         "solve {} --out FOLDER --set output.snapshot_interval_s={:g}`, or by a sweep that sets it",
         time, tolerance, times_text(series),
-        (series.back().path.parent_path() / "scene.json").string(), 500.0));
+        shell_word((series.back().path.parent_path() / "scene.json").string()), 500.0));
   }
   return chosen;
 }

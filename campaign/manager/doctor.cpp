@@ -16,6 +16,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 #include "solver/base/free_space.hpp"
+#include "solver/base/text/shell_word.hpp"
 #include "solver/base/version.hpp"
 #include "solver/io/snapshot.hpp"
 
@@ -69,7 +70,9 @@ class Examination {
       note(fmt::format("this program's solver is version {}, the database was last worked on with "
                        "version {}",
                        solver_version, *made_by),
-           "the next run marks older results stale; `eerie retry --stale` repeats them");
+           fmt::format("the next run marks older results stale; `eerie retry --stale --all --db "
+                       "{}` repeats them",
+                       shell_word(reader_.path().string())));
   }
 
   void disks() {

@@ -90,6 +90,7 @@ void Manager::round(int stop_requests) {
 void Manager::work() {
   if (!is_reconciled_) {
     db::set(connection_, "solver_version", solver_version);
+    db::set(connection_, "database_name", connection_.path().filename().string());
     reconcile();
     refresh();
     is_reconciled_ = true;

@@ -165,7 +165,7 @@ json submit(db::Connection& connection, const Request& request) {
     const db::AddedSweep added = sweeps::store(sql, plan);
     if (request.priority || request.wall_limit_s)
       db::prepare_new_jobs(sql, added.sweep, request.priority, request.wall_limit_s);
-    return json{{"sweep", plan.sweep.name}, {"jobs", added.jobs}, {"added", added.added}}.dump();
+    return json{{"sweep", added.label}, {"jobs", added.jobs}, {"added", added.added}}.dump();
   }));
 }
 

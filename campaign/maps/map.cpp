@@ -11,7 +11,7 @@
 #include "analysis/paper/threshold.hpp"
 #include "analysis/statistics/ensemble.hpp"
 #include "campaign/maps/map_csv.hpp"
-#include "campaign/maps/settings_choice.hpp"
+#include "campaign/results/settings_choice.hpp"
 #include "campaign/sweeps/job.hpp"
 #include "campaign/text/given_folder.hpp"
 #include "db/jobs/job_settings.hpp"
@@ -170,7 +170,7 @@ std::vector<fs::path> draw_named_maps(const db::Connection& connection, const Na
   std::vector<fs::path> written;
   for (const fs::path& file : request.files) {
     if (file.extension() == ".csv") continue;
-    require_one_settings(connection, settings_of(figure.diagrams));
+    results::require_one_settings(connection, settings_of(figure.diagrams));
     diagrams::draw_phase_figure(file, figure);
     written.push_back(file);
   }

@@ -24,7 +24,7 @@ std::optional<double> core_hours_left(const db::SweepStatus& sweep, const db::Sp
 }
 
 json sweep_json(const db::SweepStatus& sweep, const db::Speed& speed) {
-  json object = {{"name", sweep.name}, {"created", sweep.created}};
+  json object = {{"name", sweep.name}, {"label", sweep.label}, {"created", sweep.created}};
   for (std::size_t i = 0; i < db::job_state_names.size(); ++i)
     object["jobs"][std::string(db::job_state_names[i])] =
         count(sweep, static_cast<db::JobState>(i));
@@ -85,7 +85,7 @@ json to_json(const CampaignLook& look, const std::filesystem::path& database) {
 text::Table table_of_sweeps(const CampaignLook& look) {
   using db::SweepStatus;
   std::vector<text::Field<SweepStatus>> fields = {
-      {shown("sweep"), [](const SweepStatus& s) { return s.name; }}};
+      {shown("sweep"), [](const SweepStatus& s) { return s.label; }}};
   for (std::size_t i = 0; i < db::job_state_names.size(); ++i)
     fields.push_back({shown(std::string(db::job_state_names[i])), [i](const SweepStatus& s) {
                         return count(s, static_cast<db::JobState>(i));

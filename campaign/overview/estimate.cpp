@@ -1,6 +1,11 @@
 #include "campaign/overview/estimate.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "campaign/manager/throughput.hpp"
+#include "campaign/sweeps/fidelity.hpp"
 
 namespace eerie::overview {
 namespace fs = std::filesystem;
@@ -23,6 +28,19 @@ Estimate estimate(const fs::path& database, const std::vector<db::NewJob>& jobs)
   e.speed = speed.particle_steps_per_core_second();
   e.core_hours = speed.core_seconds_of(particle_steps) / 3600;
   return e;
+}
+
+std::string cost_sentence(const fs::path& database, const std::vector<db::NewJob>& jobs) {
+  const std::string& fidelity = jobs.front().fidelity;
+  const bool one =
+      std::ranges::all_of(jobs, [&](const db::NewJob& job) { return job.fidelity == fidelity; });
+  const std::string cheaper = one ? sweeps::cheaper_rung(fidelity) : "";
+  return fmt::format("{}: about {:.2g} core-hours in all{}",
+                     !one               ? "several fidelities"
+                     : fidelity.empty() ? "settings without a name"
+                                        : "fidelity " + fidelity,
+                     estimate(database, jobs).core_hours,
+                     cheaper.empty() ? "" : fmt::format(" ({})", cheaper));
 }
 
 text::Table table_of_jobs(const std::vector<db::NewJob>& jobs) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "campaign/text/table.hpp"
@@ -16,6 +17,10 @@ struct Estimate {
   bool measured = false;  ///< whether the database has measured the speed; it is assumed otherwise
 };
 Estimate estimate(const std::filesystem::path& database, const std::vector<db::NewJob>& jobs);
+
+/// The fidelity of jobs, their cost, and what a cheaper one would take, in one line.
+std::string cost_sentence(const std::filesystem::path& database,
+                          const std::vector<db::NewJob>& jobs);
 
 /// A table with one row per job.
 text::Table table_of_jobs(const std::vector<db::NewJob>& jobs);

@@ -14,7 +14,7 @@
 #include "campaign/sweeps/scene_field.hpp"
 #include "campaign/text/closest_names.hpp"
 #include "db/store/bind.hpp"
-#include "db/views/column_meanings.hpp"
+#include "db/store/column_meanings.hpp"
 #include "db/views/query.hpp"
 #include "solver/base/error.hpp"
 
@@ -109,8 +109,10 @@ std::vector<std::int64_t> sweeps_named(const db::Connection& connection, const s
   std::vector<std::int64_t> found;
   std::vector<std::string> names;
   for (const db::SweepStatus& sweep : db::sweep_status(connection)) {
-    if (sweep.name == name) found.push_back(sweep.id);
-    names.push_back(sweep.name);
+    const bool is_first = sweep.label == sweep.name;
+    if (sweep.name == name || sweep.label == name || (is_first && sweep.name + "@1" == name))
+      found.push_back(sweep.id);
+    names.push_back(sweep.label);
   }
   if (found.empty())
     throw InputError(

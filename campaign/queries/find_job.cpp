@@ -8,6 +8,7 @@
 #include "campaign/queries/numbers.hpp"
 #include "db/jobs/jobs.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::queries {
 namespace {
@@ -45,8 +46,10 @@ db::Job find_job(const db::Connection& connection, const std::string& word) {
   one.jobs = {word};
   const auto found = db::jobs(connection, {.selection = selection_of(one, "show")});
   if (found.empty())
-    throw InputError(fmt::format("JOB = {}: no job of {} has such a hash; `eerie query` shows them",
-                                 word, connection.path().string()));
+    throw InputError(
+        fmt::format("JOB = {}: no job of {} has such a hash; `eerie query --db {} "
+                    "--columns hash` shows those with results",
+                    word, connection.path().string(), shell_word(connection.path().string())));
   if (found.size() > 1)
     throw InputError(
         fmt::format("JOB = {}: {} jobs begin so, {} and {} among them; give more digits", word,

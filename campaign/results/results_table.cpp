@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "campaign/job_folder/result_file.hpp"
+#include "campaign/results/settings_choice.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::results {
 using db::ResultRow;
@@ -30,6 +33,7 @@ const std::vector<Field<ResultRow>>& fields() {
       {parameter("phi_d", " deg"), [](const ResultRow& r) { return r.phi_d_deg; }},
       {parameter("particles per target"),
        [](const ResultRow& r) { return r.particles_per_target; }},
+      {parameter("scheme"), [](const ResultRow& r) { return r.scheme; }},
       {parameter("seed"), [](const ResultRow& r) { return r.seed; }},
       {parameter("end", " s"), [](const ResultRow& r) { return r.end_time_s; }},
       {shown("v cm/s"), [](const ResultRow& r) { return r.v_imp_cm_per_s; }},
@@ -60,13 +64,21 @@ constexpr Legend legends[] = {
      "+  a smaller remnant is extremely elongated\n"},
     {[](const ResultRow& r) { return !r.result.settled; },
      "~  not settled at the end: remnants will meet again; a later end.time_s tells\n"},
-    {[](const ResultRow& r) { return r.stale; },
-     "!  made by another solver version; `eerie retry --stale` repeats it\n"}};
+    {[](const ResultRow& r) { return r.stale; }, "!  made by another solver version\n"}};
+
+std::set<std::int64_t> settings_of(const std::vector<ResultRow>& rows) {
+  std::set<std::int64_t> ids;
+  for (const ResultRow& row : rows) ids.insert(row.settings);
+  return ids;
+}
 
 }  // namespace
 
 text::Table results_table(const std::vector<ResultRow>& rows) {
-  return text::table_of(fields(), rows);
+  std::vector<Field<ResultRow>> shown_fields = fields();
+  if (settings_of(rows).size() > 1)
+    shown_fields.push_back({shown("settings"), [](const ResultRow& r) { return r.settings; }});
+  return text::table_of(shown_fields, rows);
 }
 
 std::string legend_of(const std::vector<ResultRow>& rows) {
@@ -76,16 +88,27 @@ std::string legend_of(const std::vector<ResultRow>& rows) {
   return legend;
 }
 
-std::string drift_warning(const std::vector<ResultRow>& rows) {
+std::string legend_of(const db::Connection& connection, const std::vector<ResultRow>& rows) {
+  std::string legend = legend_of(rows);
+  if (std::ranges::any_of(rows, &ResultRow::stale))
+    legend += fmt::format("   `eerie retry --stale --all --db {}` repeats what is marked !\n",
+                          shell_word(connection.path().string()));
+  if (const std::set<std::int64_t> ids = settings_of(rows); ids.size() > 1)
+    for (const auto& [settings, fields] : differences(connection, ids))
+      legend += fmt::format("settings {}: {}\n", settings.id, fields);
+  return legend;
+}
+
+std::string drift_warning(const db::Connection& connection, const std::vector<ResultRow>& rows) {
   const auto drifting = std::ranges::count_if(rows, [](const ResultRow& row) {
     return row.result.dL_over_L > job_folder::most_angular_momentum_drift;
   });
   if (drifting == 0) return "";
   return fmt::format(
-      "{} of {} results changed their angular momentum by more than {:g} %; `eerie query --where "
-      "dL_over_L={:g}:` shows them, docs/notebook/stability.md what to change",
+      "{} of {} results changed their angular momentum by more than {:g} %; `eerie query --db {} "
+      "--where dL_over_L={:g}:` shows them, docs/notebook/stability.md what to change",
       drifting, rows.size(), 100 * job_folder::most_angular_momentum_drift,
-      job_folder::most_angular_momentum_drift);
+      shell_word(connection.path().string()), job_folder::most_angular_momentum_drift);
 }
 
 std::string drift_warning(const db::Connection& connection, const std::string& sweep_name) {
@@ -95,7 +118,7 @@ std::string drift_warning(const db::Connection& connection, const std::string& s
     const std::vector<ResultRow> rows = db::results(connection, {.sweep = sweep.id});
     all.insert(all.end(), rows.begin(), rows.end());
   }
-  return drift_warning(all);
+  return drift_warning(connection, all);
 }
 
 }  // namespace eerie::results

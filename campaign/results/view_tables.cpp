@@ -4,7 +4,7 @@
 #include <span>
 
 #include "db/store/bind.hpp"
-#include "db/views/column_meanings.hpp"
+#include "db/store/column_meanings.hpp"
 
 namespace eerie::results {
 using db::Cell;
@@ -39,6 +39,8 @@ constexpr Looked remnant_columns[] = {parameter("q", "q"),
                                       parameter("phi_d_deg", "phi_d", " deg"),
                                       {"v_imp_cm_per_s", "v cm/s"},
                                       {"theta_imp_deg", "theta deg"},
+                                      parameter("scheme", "scheme"),
+                                      parameter("settings", "settings"),
                                       parameter("seed", "seed"),
                                       {"rank", "rank"},
                                       {"particles", "particles", "{}", 3},
@@ -54,6 +56,8 @@ constexpr Looked map_columns[] = {parameter("q", "q"),
                                   parameter("phi_d_deg", "phi_d", " deg"),
                                   parameter("particles_per_target", "particles per target"),
                                   parameter("fidelity", "fidelity"),
+                                  parameter("scheme", "scheme"),
+                                  parameter("settings", "settings"),
                                   parameter("end_time_s", "end", " s"),
                                   {"v_imp_cm_per_s", "v cm/s"},
                                   {"theta_imp_deg", "theta deg"},
@@ -73,6 +77,17 @@ Column for_people(const Looked& looked) {
   column.mark = "*", column.unit_above = looked.unit;
   column.above = looked.above, column.dispensable = looked.dispensable;
   return column;
+}
+
+/// The database's number for settings says something to people only beside another one.
+bool is_number_of_settings(const Looked& looked) {
+  return std::string_view(looked.column) == "settings";
+}
+
+bool is_shared(const ViewRows& rows, std::size_t column) {
+  return std::ranges::all_of(rows.rows, [&](const std::vector<Cell>& row) {
+    return row[column] == rows.rows.front()[column];
+  });
 }
 
 /// Types of the Table Schema. An integer that may be missing is a number to its readers.
@@ -121,7 +136,7 @@ Table short_table(const ViewRows& rows) {
                                       : std::span<const Looked>();
   for (const Looked& looked : wanted) {
     const auto column = rows.find(looked.column);
-    if (!column) continue;
+    if (!column || (is_number_of_settings(looked) && is_shared(rows, *column))) continue;
     table.columns.push_back(for_people(looked));
     for (std::vector<Value>& row : table.rows) row.push_back(Value(row[*column]));
   }

@@ -9,6 +9,7 @@
 
 #include "solver/base/file.hpp"
 #include "solver/base/files/folders.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::slurm {
 namespace fs = std::filesystem;
@@ -17,18 +18,6 @@ using nlohmann::json;
 namespace {
 
 constexpr int manifest_version = 1;
-
-/// 'it'\''s': a word that a shell takes as it stands.
-std::string shell_word(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) {
-    if (c == '\'')
-      word += "'\\''";
-    else
-      word += c;
-  }
-  return word + "'";
-}
 
 std::vector<std::vector<BatchJob>> parse_array(const json& document) {
   std::vector<std::vector<BatchJob>> array;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "campaign/studies/convergence_study_schema_text.hpp"
+#include "campaign/sweeps/document_kind.hpp"
 #include "campaign/sweeps/scene_field.hpp"
 #include "campaign/text/given_file.hpp"
 #include "campaign/text/json_file.hpp"
@@ -111,7 +112,9 @@ ConvergenceStudy parse_convergence_study(const json& given, const std::string& w
 }
 
 ConvergenceStudy load_convergence_study(const std::filesystem::path& path) {
-  return parse_convergence_study(text::load_given_json(path), text::given_name(path));
+  const json document = text::load_given_json(path);
+  sweeps::require_kind(sweeps::DocumentKind::convergence_study, document, text::given_name(path));
+  return parse_convergence_study(document, text::given_name(path));
 }
 
 std::vector<ConvergenceRun> runs_of(const ConvergenceStudy& study) {

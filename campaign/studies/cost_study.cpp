@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "campaign/studies/cost_study_schema_text.hpp"
+#include "campaign/sweeps/document_kind.hpp"
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/scene_field.hpp"
 #include "campaign/text/given_file.hpp"
@@ -86,7 +87,9 @@ CostStudy parse_cost_study(const json& given, const std::string& where) {
 }
 
 CostStudy load_cost_study(const std::filesystem::path& path) {
-  return parse_cost_study(text::load_given_json(path), text::given_name(path));
+  const json document = text::load_given_json(path);
+  sweeps::require_kind(sweeps::DocumentKind::cost_study, document, text::given_name(path));
+  return parse_cost_study(document, text::given_name(path));
 }
 
 std::vector<CostRun> runs_of(const CostStudy& study) {

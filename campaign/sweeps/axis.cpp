@@ -41,25 +41,33 @@ double number(const json& spec, const char* key, const std::string& where) {
   return canonical_number(spec[key].get<double>()).get<double>();
 }
 
-std::vector<double> range_values(const json& spec, const std::string& where) {
+std::vector<json> canonical(const std::vector<double>& numbers) {
+  std::vector<json> values;
+  values.reserve(numbers.size());
+  for (const double number : numbers) values.push_back(canonical_number(number));
+  return values;
+}
+
+std::vector<json> range_values(const json& spec, const std::string& where) {
   for (const auto& [key, ignored] : spec.items())
     if (key != "from" && key != "to" && key != "step")
       throw InputError(
           fmt::format("{}.{}: there is no such field; an axis has from, to and step", where, key));
   const double from = number(spec, "from", where), to = number(spec, "to", where);
-  return inclusive_range(from, to, number(spec, "step", where), where);
+  return canonical(inclusive_range(from, to, number(spec, "step", where), where));
 }
 
-std::vector<double> list_values(const json& spec, const std::string& where) {
+std::vector<json> list_values(const json& spec, bool of_numbers, const std::string& where) {
   if (spec.empty())
-    throw InputError(where + " = []: must hold at least one number; for example [20]");
-  std::vector<double> values;
-  std::set<double> seen;
+    throw InputError(where + (of_numbers ? " = []: must hold at least one number; for example [20]"
+                                         : " = []: must hold at least one value"));
+  std::vector<json> values;
+  std::set<json> seen;
   for (std::size_t i = 0; i < spec.size(); ++i) {
-    if (!spec[i].is_number())
+    if (of_numbers && !spec[i].is_number())
       throw InputError(fmt::format("{}[{}] = {}: must be a number; for example 20", where, i,
                                    spec[i].dump(-1, ' ', false, json::error_handler_t::replace)));
-    values.push_back(canonical_number(spec[i].get<double>()).get<double>());
+    values.push_back(of_numbers ? canonical_number(spec[i].get<double>()) : spec[i]);
     if (!seen.insert(values.back()).second)
       throw InputError(fmt::format("{}[{}] = {}: stands twice in the list; remove one of them",
                                    where, i, spec[i].dump()));
@@ -101,28 +109,30 @@ std::vector<double> inclusive_range(double from, double to, double step, const s
 
 Axis parse_axis(const std::string& name, const json& spec, const std::string& where) {
   const SceneField field = scene_field(name, where);
-  const std::string type = field.schema->value("type", "");
-  if (type != "number" && type != "integer")
-    throw InputError(
-        fmt::format("{}: an axis must be a numeric field and \"{}\" is a {}; put it into "
-                    "\"scene\" instead",
-                    where, field.path, type));
+  if (field.schema->value("type", "") == "array")
+    throw InputError(fmt::format(
+        "{}: an axis must be a field of one value and \"{}\" is a list; put it into \"scene\" "
+        "instead",
+        where, field.path));
   if (field.path.starts_with("output."))
     throw InputError(
         fmt::format("{}: what a run writes does not make it another run, so {} cannot be an "
                     "axis; put it into \"scene\" instead",
                     where, field.path));
   Axis axis{field.path, {}};
-  if (spec.is_object())
+  const bool of_numbers = is_numeric(field);
+  if (spec.is_object() && of_numbers)
     axis.values = range_values(spec, where);
   else if (spec.is_array())
-    axis.values = list_values(spec, where);
+    axis.values = list_values(spec, of_numbers, where);
   else
     throw InputError(fmt::format(
-        "{} = {}: must be a list of numbers or {{\"from\": 12, \"to\": 36, \"step\": 3}}", where,
-        spec.dump(-1, ' ', false, json::error_handler_t::replace)));
+        "{} = {}: must be a list of {}", where,
+        spec.dump(-1, ' ', false, json::error_handler_t::replace),
+        of_numbers ? "numbers or {\"from\": 12, \"to\": 36, \"step\": 3}"
+                   : fmt::format("values; for example [{}]", (*field.schema)["default"].dump())));
   for (std::size_t i = 0; i < axis.values.size(); ++i)
-    require_valid(*field.schema, canonical_number(axis.values[i]), fmt::format("{}[{}]", where, i));
+    require_valid(*field.schema, axis.values[i], fmt::format("{}[{}]", where, i));
   return axis;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -11,13 +11,14 @@ namespace eerie::sweeps {
 /// The most jobs of a sweep, and so the most values of an axis.
 inline constexpr std::size_t max_sweep_jobs = 1'000'000;
 
-/// One axis of a grid: a numeric field of the scene and its values.
+/// One axis of a grid: a field of the scene and its values, which are numbers in their canonical
+/// form, or words, or true and false.
 struct Axis {
   std::string path;  ///< dotted
-  std::vector<double> values;
+  std::vector<nlohmann::json> values;
 };
 
-/// Reads an axis: a list of numbers, or {"from", "to", "step"} with both ends included. It checks
+/// Reads an axis: a list, or for numbers {"from", "to", "step"} with both ends included. It checks
 /// each value against the scene's schema. Throws InputError; `where` names file and axis.
 Axis parse_axis(const std::string& name, const nlohmann::json& spec, const std::string& where);
 

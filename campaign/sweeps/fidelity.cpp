@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "campaign/sweeps/scene_field.hpp"
 #include "solver/base/error.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -11,17 +12,6 @@ namespace eerie::sweeps {
 using nlohmann::json;
 
 namespace {
-
-/// "/end/time_s" as "end.time_s".
-std::string dotted(std::string pointer) {
-  pointer.erase(0, 1);
-  std::ranges::replace(pointer, '/', '.');
-  return pointer;
-}
-
-std::string word(const json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
 
 json settings_of(const Fidelity& fidelity) {
   json settings = fidelity.is_rung ? json::parse(rung_settings) : json::object();
@@ -38,7 +28,7 @@ json whole(const Fidelity& fidelity) {
   return {{"numerics", scene["numerics"]}, {"end", scene["end"]}};
 }
 
-/// Whether the default fidelity is meant for a scene, as given.
+/// Whether the default fidelity is meant for a scene, as given: see fields_against_default.
 bool takes_default(const json& scene) {
   const auto given = [&](const char* pointer, const json& otherwise) {
     return scene.value(json::json_pointer(pointer), otherwise);

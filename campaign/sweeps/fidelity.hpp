@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -50,6 +51,10 @@ nlohmann::json settings_of(const std::string& name, const std::string& where = "
 /// The settings of a fidelity as overrides, such as "numerics.particles_per_target=1000". Throws
 /// InputError where no fidelity has this name.
 std::vector<std::string> overrides_of_fidelity(const std::string& name);
+
+/// The fields that decide whether the default fidelity is meant for a scene.
+inline constexpr std::array<std::string_view, 3> fields_against_default = {
+    "numerics.scheme", "environment.self_gravity", "material.energy"};
 
 /// Lays a scene, as given, over the settings of the default fidelity. A scene stays as it is if it
 /// names its scheme, has no self-gravity, or integrates an energy equation.

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/job.hpp"
 #include "campaign/text/given_file.hpp"
 #include "campaign/text/json_file.hpp"
@@ -17,8 +18,17 @@ Plan plan(const nlohmann::json& document, const std::vector<std::string>& overri
   return {std::move(sweep), std::move(scenes), std::move(jobs)};
 }
 
-Plan load_plan(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return plan(text::load_given_json(file), overrides, text::given_name(file));
+Plan load_plan(const std::filesystem::path& file, const SceneChanges& changes) {
+  const nlohmann::json document = text::load_given_json(file);
+  const std::string where = text::given_name(file);
+  Plan made = plan(document, changes.all(), where);
+  made.replaced = changes.replaced(document.value("scene", nlohmann::json::object()), where);
+  return made;
+}
+
+std::vector<std::string> departures(const Plan& plan) {
+  if (!plan.jobs.front().fidelity.empty() || varies_default_fidelity(plan.sweep)) return {};
+  return departures(plan.sweep.scene, plan.sweep.where);
 }
 
 db::AddedSweep store(db::Connection& connection, const Plan& plan) {

@@ -21,6 +21,23 @@ std::string field_pointer(const std::string& path) {
   return text;
 }
 
+std::string dotted(std::string pointer) {
+  pointer.erase(0, 1);
+  std::replace(pointer.begin(), pointer.end(), '/', '.');
+  return pointer;
+}
+
+std::string word(const json& value) {
+  return value.is_string() ? value.get<std::string>()
+                           : value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string full_path(const std::string& name) {
+  for (const ShortName& entry : short_names)
+    if (entry.name == name) return std::string(entry.path);
+  return name;
+}
+
 namespace {
 
 json::json_pointer pointer(const std::string& path) {
@@ -38,17 +55,19 @@ void collect_leaves(const json& schema, const std::string& prefix,
 }
 
 std::string closest_fields(const std::string& given) {
-  std::vector<std::string> paths;
-  collect_leaves(scene_schema(), "", paths);
-  return text::closest_names(given, std::move(paths));
+  return text::closest_names(given, field_paths());
 }
 
 }  // namespace
 
+std::vector<std::string> field_paths() {
+  std::vector<std::string> paths;
+  collect_leaves(scene_schema(), "", paths);
+  return paths;
+}
+
 SceneField scene_field(const std::string& name, const std::string& where) {
-  std::string path = name;
-  for (const ShortName& entry : short_names)
-    if (entry.name == name) path = entry.path;
+  const std::string path = full_path(name);
   const json* schema = schema_at(scene_schema(), path);
   if (schema == nullptr)
     throw InputError(fmt::format("{}: the scene has no field \"{}\"; the closest are {}", where,
@@ -60,6 +79,11 @@ SceneField scene_field(const std::string& name, const std::string& where) {
   return {path, schema};
 }
 
+bool is_numeric(const SceneField& field) {
+  const std::string type = field.schema->value("type", "");
+  return type == "number" || type == "integer";
+}
+
 const json* find_field(const json& scene, const std::string& path) {
   const auto at = pointer(path);
   return scene.is_structured() && scene.contains(at) ? &scene.at(at) : nullptr;
@@ -67,6 +91,17 @@ const json* find_field(const json& scene, const std::string& path) {
 
 void set_field(json& scene, const std::string& path, json value) {
   scene[pointer(path)] = std::move(value);
+}
+
+void erase_field(json& scene, const std::string& path) {
+  const auto at = pointer(path);
+  if (at.empty() || !scene.contains(at)) return;
+  json& group = scene.at(at.parent_pointer());
+  group.erase(at.back());
+  if (group.empty() && !at.parent_pointer().empty()) {
+    const auto of_group = at.parent_pointer();
+    scene.at(of_group.parent_pointer()).erase(of_group.back());
+  }
 }
 
 namespace {

@@ -10,6 +10,10 @@ namespace eerie::sweeps {
 
 /// The JSON pointer of a dotted path: "/impact/q" for "impact.q".
 std::string field_pointer(const std::string& path);
+/// "impact.q" for "/impact/q".
+std::string dotted(std::string pointer);
+/// A value as --set takes it.
+std::string word(const nlohmann::json& value);
 
 /// The short names of the fields that every sweep varies.
 struct ShortName {
@@ -22,11 +26,19 @@ inline constexpr std::array<ShortName, 4> short_names = {{
     {"theta_imp_deg", "impact.theta_imp_deg"},
 }};
 
+/// The dotted path of a short name; any other name as it is.
+std::string full_path(const std::string& name);
+
 /// A field of the scene and its part of the schema.
 struct SceneField {
   std::string path;              ///< dotted, "impact.q"
   const nlohmann::json* schema;  ///< never null
 };
+
+/// The dotted paths of all fields of a scene.
+std::vector<std::string> field_paths();
+
+bool is_numeric(const SceneField& field);
 
 /// The field of a dotted path or short name. Throws InputError, which begins with `where` and names
 /// the closest known fields, where there is none.
@@ -35,6 +47,8 @@ SceneField scene_field(const std::string& name, const std::string& where);
 /// The field in a scene's JSON; nullptr where it is missing.
 const nlohmann::json* find_field(const nlohmann::json& scene, const std::string& path);
 void set_field(nlohmann::json& scene, const std::string& path, nlohmann::json value);
+/// Removes the field where it is there, and groups that have no other field.
+void erase_field(nlohmann::json& scene, const std::string& path);
 
 /// Applies each "--set PATH=VALUE" in order and checks it against the schema. Throws InputError.
 void apply_overrides(nlohmann::json& scene, const std::vector<std::string>& overrides);

@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "campaign/sweeps/comments.hpp"
+#include "campaign/sweeps/document_kind.hpp"
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/sweep_schema_text.hpp"
 #include "campaign/text/given_file.hpp"
@@ -86,15 +88,15 @@ void require_grid_or_points(const json& given, const std::string& where) {
 }
 
 /// One point as an axis of one value for each of its fields, in the order of their paths.
-std::map<std::string, double> parse_point(const json& point, const std::string& where) {
+std::map<std::string, json> parse_point(const json& point, const std::string& where) {
   if (!point.is_object() || point.empty())
     throw InputError(
         where +
         ": must be an object with at least one field; for example {\"v_imp_cm_per_s\": 20}");
-  std::map<std::string, double> values;
+  std::map<std::string, json> values;
   for (const auto& [name, value] : point.items()) {
     const std::string field = where + "." + name;
-    if (!value.is_number())
+    if (is_numeric(scene_field(name, field)) && !value.is_number())
       throw InputError(fmt::format("{} = {}: must be a number; for example 20", field,
                                    value.dump(-1, ' ', false, json::error_handler_t::replace)));
     const Axis axis = parse_axis(name, json::array({value}), field);
@@ -107,11 +109,11 @@ std::map<std::string, double> parse_point(const json& point, const std::string& 
 
 SweepPoints parse_points(const json& given, const std::string& where) {
   SweepPoints points;
-  std::map<std::vector<double>, std::size_t> seen;
+  std::map<std::vector<json>, std::size_t> seen;
   for (std::size_t k = 0; k < given.size(); ++k) {
     const std::string here = fmt::format("{}[{}]", where, k);
     std::vector<std::string> paths;
-    std::vector<double> row;
+    std::vector<json> row;
     for (const auto& [path, value] : parse_point(given[k], here))
       paths.push_back(path), row.push_back(value);
     if (k == 0) points.paths = paths;
@@ -129,11 +131,14 @@ SweepPoints parse_points(const json& given, const std::string& where) {
 }
 
 /// The fields of a sweep's document, each valid by itself.
-Sweep fields_of(const json& given, const std::vector<std::string>& overrides,
+Sweep fields_of(const json& document, const std::vector<std::string>& overrides,
                 const std::string& where) {
+  const json given = without_comments(document);
+  require_kind(DocumentKind::sweep, given, where);
   require_valid(outline(), given, where + ": sweep");
   Sweep sweep{given["name"], with_integers(given.value("scene", json::object())), {}, {}, where};
   text::require_plain_name(sweep.name, where + ": name", "first-light");
+  require_known_fields(sweep.scene, where + ": scene");
   require_valid(scene_schema(), sweep.scene, where + ": scene");
   apply_overrides(sweep.scene, overrides);
   require_grid_or_points(given, where);
@@ -158,12 +163,15 @@ Sweep load_sweep(const std::filesystem::path& path, const std::vector<std::strin
   return parse_sweep(text::load_given_json(path), overrides, text::given_name(path));
 }
 
-Scene load_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+GivenScene load_scene(const std::filesystem::path& path, const SceneChanges& changes) {
   const std::string where = text::given_name(path);
-  json document = with_integers(text::load_given_json(path));
+  json document = with_integers(without_comments(text::load_given_json(path)));
+  require_kind(DocumentKind::scene, document, where);
+  require_known_fields(document, where);
   require_valid(scene_schema(), document, where);
-  apply_overrides(document, overrides);
-  return parse_scene(over_default_fidelity(document), where);
+  std::vector<std::string> replaced = changes.replaced(document, where);
+  apply_overrides(document, changes.all());
+  return {parse_scene(over_default_fidelity(document), where), std::move(replaced)};
 }
 
 std::size_t point_count(const Sweep& sweep) {
@@ -172,47 +180,94 @@ std::size_t point_count(const Sweep& sweep) {
   return count;
 }
 
-std::vector<Scene> expand(const Sweep& sweep) {
-  // One scene is parsed; the others are that scene with other values. These were checked when the
-  // sweep was parsed, so that of a combination only remains whether its values fit together.
-  const std::string where = sweep.where + ": scene";
-  const SweepPoints& points = sweep.points;
-  json first = over_default_fidelity(sweep.scene);
-  for (std::size_t k = 0; k < points.paths.size(); ++k)
-    set_field(first, points.paths[k], canonical_number(points.rows.front()[k]));
-  for (const Axis& axis : sweep.axes)
-    set_field(first, axis.path, canonical_number(axis.values.front()));
-  const Scene base = parse_scene(first, where);
+namespace {
 
-  std::vector<FieldChange> changes;
-  for (const std::string& path : points.paths) changes.push_back({field_pointer(path), 0});
-  for (const Axis& axis : sweep.axes) changes.push_back({field_pointer(axis.path), 0});
+/// The fields that a sweep varies, and their values at each of its points.
+class Grid {
+ public:
+  explicit Grid(const Sweep& sweep) : sweep_(sweep), paths_(sweep.points.paths) {
+    for (const Axis& axis : sweep.axes) paths_.push_back(axis.path);
+  }
+  const std::vector<std::string>& paths() const { return paths_; }
+
+  std::vector<json> at(std::size_t point) const {
+    const std::size_t of_points = sweep_.points.paths.size();
+    std::vector<json> values(paths_.size());
+    for (std::size_t k = sweep_.axes.size(); k-- > 0;) {
+      const std::vector<json>& axis = sweep_.axes[k].values;
+      values[of_points + k] = axis[point % axis.size()];
+      point /= axis.size();
+    }
+    for (std::size_t k = 0; k < of_points; ++k) values[k] = sweep_.points.rows[point][k];
+    return values;
+  }
+
+ private:
+  const Sweep& sweep_;
+  std::vector<std::string> paths_;
+};
+
+/// A scene of a sweep with the values that its fields have at a point.
+Scene parse_at(const Sweep& sweep, const std::vector<std::string>& paths,
+               const std::vector<json>& values) {
+  json scene = sweep.scene;
+  for (std::size_t k = 0; k < paths.size(); ++k)
+    if (!values[k].is_number()) set_field(scene, paths[k], values[k]);
+  scene = over_default_fidelity(scene);  // which words may decide
+  for (std::size_t k = 0; k < paths.size(); ++k) set_field(scene, paths[k], values[k]);
+  return parse_scene(scene, sweep.where + ": scene");
+}
+
+/// The scene that a sweep's document has. Fields that vary are not in it, so that the document is a
+/// sweep again.
+json shared_scene(const Sweep& sweep) {
+  if (varies_default_fidelity(sweep)) return sweep.scene;
+  json scene = over_default_fidelity(sweep.scene);
+  const Grid grid(sweep);
+  for (const std::string& path : grid.paths()) erase_field(scene, path);
+  return scene;
+}
+
+}  // namespace
+
+bool varies_default_fidelity(const Sweep& sweep) {
+  const Grid grid(sweep);
+  return std::ranges::any_of(grid.paths(), [](const std::string& path) {
+    return std::ranges::find(fields_against_default, path) != fields_against_default.end();
+  });
+}
+
+std::vector<Scene> expand(const Sweep& sweep) {
+  // One scene is parsed for each combination of words; the others are that scene with other
+  // numbers. These were checked when the sweep was parsed, so that of a combination only remains
+  // whether its values fit together.
+  const Grid grid(sweep);
+  std::map<std::vector<json>, Scene> parsed;
   std::vector<Scene> scenes;
   scenes.reserve(point_count(sweep));
   for (std::size_t point = 0; point < point_count(sweep); ++point) {
-    std::size_t rest = point;
-    for (std::size_t k = sweep.axes.size(); k-- > 0;) {
-      const std::vector<double>& values = sweep.axes[k].values;
-      changes[points.paths.size() + k].value = values[rest % values.size()];
-      rest /= values.size();
-    }
-    for (std::size_t k = 0; k < points.paths.size(); ++k) changes[k].value = points.rows[rest][k];
-    scenes.push_back(changed(base, changes, where));
+    const std::vector<json> values = grid.at(point);
+    std::vector<json> words;
+    std::vector<FieldChange> numbers;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (values[k].is_number())
+        numbers.push_back({field_pointer(grid.paths()[k]), values[k].get<double>()});
+      else
+        words.push_back(values[k]);
+    auto base = parsed.find(words);
+    if (base == parsed.end())
+      base = parsed.emplace(words, parse_at(sweep, grid.paths(), values)).first;
+    scenes.push_back(changed(base->second, numbers, sweep.where + ": scene"));
   }
   return scenes;
 }
 
 std::string document(const Sweep& sweep) {
-  json whole = {{"name", sweep.name}, {"scene", over_default_fidelity(sweep.scene)}};
-  for (const Axis& axis : sweep.axes) {
-    json values = json::array();
-    for (const double value : axis.values) values.push_back(canonical_number(value));
-    whole["grid"][axis.path] = std::move(values);
-  }
-  for (const std::vector<double>& row : sweep.points.rows) {
+  json whole = {{"name", sweep.name}, {"scene", shared_scene(sweep)}};
+  for (const Axis& axis : sweep.axes) whole["grid"][axis.path] = axis.values;
+  for (const std::vector<json>& row : sweep.points.rows) {
     json point;
-    for (std::size_t k = 0; k < row.size(); ++k)
-      point[sweep.points.paths[k]] = canonical_number(row[k]);
+    for (std::size_t k = 0; k < row.size(); ++k) point[sweep.points.paths[k]] = row[k];
     whole["points"].push_back(std::move(point));
   }
   return whole.dump();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "campaign/sweeps/axis.hpp"
+#include "campaign/sweeps/scene_changes.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie::sweeps {
@@ -13,7 +14,7 @@ namespace eerie::sweeps {
 /// A list of impacts. Each row has a value for each of the fields.
 struct SweepPoints {
   std::vector<std::string> paths;  ///< dotted, sorted
-  std::vector<std::vector<double>> rows;
+  std::vector<std::vector<nlohmann::json>> rows;
 };
 
 /// The impacts of a sweep file (sweep.schema.json) with --set overrides. It combines every point
@@ -32,10 +33,19 @@ Sweep parse_sweep(const nlohmann::json& document, const std::vector<std::string>
                   const std::string& where);
 Sweep load_sweep(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
+/// The scene of one impact, and what SceneChanges::replaced() says of its file.
+struct GivenScene {
+  Scene scene;
+  std::vector<std::string> replaced;
+};
 /// Reads the scene of one impact. Throws InputError.
-Scene load_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides);
+GivenScene load_scene(const std::filesystem::path& path, const SceneChanges& changes);
 
 std::size_t point_count(const Sweep& sweep);
+
+/// Whether a field that points or axes vary decides whether over_default_fidelity() applies. If so,
+/// that is asked for each impact.
+bool varies_default_fidelity(const Sweep& sweep);
 
 /// Makes one scene per job. Points vary slowest, in their order, and the last axis varies fastest.
 /// Throws InputError for a combination that makes no scene.

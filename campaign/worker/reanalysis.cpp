@@ -12,6 +12,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 #include "solver/base/sha256.hpp"
+#include "solver/base/text/shell_word.hpp"
 #include "solver/io/snapshot.hpp"
 
 namespace eerie::worker {
@@ -33,9 +34,9 @@ void reanalyse(db::Connection& connection, const db::Job& job,
                const job_folder::JobDirectory& directory) {
   if (!job_folder::read_result(directory, job.hash))
     throw InputError(
-        fmt::format("{}: is missing, damaged, or of another scene; `eerie doctor` "
+        fmt::format("{}: is missing, damaged, or of another scene; `eerie doctor --db {}` "
                     "says what to do",
-                    directory.result().string()));
+                    directory.result().string(), shell_word(connection.path().string())));
   const io::Snapshot last = io::read_snapshot(directory.final_snapshot());
   const remnants::Analysis analysis =
       analyse_run(directory, last, job_folder::read_history(directory.history()));

@@ -98,7 +98,7 @@ AddedSweep add_sweep(Connection& connection, const std::string& name, const std:
 
 AddedSweep add_sweep(SQLite::Database& sql, const std::string& name, const std::string& document,
                      std::span<const NewJob> new_jobs) {
-  AddedSweep added{0, new_jobs.size(), 0};
+  AddedSweep added{.jobs = new_jobs.size()};
   added.sweep = sweep_id(sql, name, document);
   SQLite::Statement insert(sql, R"(INSERT OR IGNORE INTO jobs
         (hash, q, phi_d_deg, v_imp_cm_per_s, theta_imp_deg, v_over_v_esc, particles_per_target,
@@ -130,6 +130,10 @@ AddedSweep add_sweep(SQLite::Database& sql, const std::string& name, const std::
     bind_all(join, added.sweep, j.hash);
     join.exec();
   }
+  SQLite::Statement label(sql, "SELECT label FROM sweep_labels WHERE id = ?");
+  bind_all(label, added.sweep);
+  label.executeStep();
+  added.label = label.getColumn(0).getString();
   return added;
 }
 

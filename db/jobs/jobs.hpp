@@ -17,6 +17,8 @@ struct AddedSweep {
   std::int64_t sweep = 0;
   std::size_t jobs = 0;   ///< number of distinct jobs of the sweep
   std::size_t added = 0;  ///< number of these that are new to the database
+  /// Its name, or name@2 where it is the second sweep of this name, and so on.
+  std::string label = {};
 };
 
 /// Adds a sweep and its jobs in one transaction. A job that exists already, by its hash, joins the

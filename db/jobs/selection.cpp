@@ -13,8 +13,8 @@ std::string conditions(const Selection& s) {
   std::string text;
   if (s.sweep)
     text +=
-        " AND id IN (SELECT job_id FROM sweep_jobs JOIN sweeps ON sweeps.id = sweep_id"
-        " WHERE sweeps.name = :sweep)";
+        " AND id IN (SELECT job_id FROM sweep_jobs JOIN sweep_labels s ON s.id = sweep_id"
+        " WHERE s.name = :sweep OR s.name || '@' || s.number = :sweep)";
   if (!s.hashes.empty())
     // Hexadecimal digits end before 'g': ranges that the index on hash can walk, of any number.
     text +=

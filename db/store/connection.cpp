@@ -14,6 +14,7 @@
 #include "db/store/file_system.hpp"
 #include "db/store/migrations.hpp"
 #include "db/store/without_log.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::db {
 namespace fs = std::filesystem;
@@ -75,7 +76,7 @@ void require_openable(const fs::path& path, Access access) {
   if (access != Access::write && !fs::exists(path, ignored))
     throw Error(
         fmt::format("database {}: there is no such file; `eerie run SWEEP --db {}` makes it",
-                    path.string(), path.string()));
+                    path.string(), shell_word(path.string())));
   require_local_disk(path);
 }
 

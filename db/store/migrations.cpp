@@ -7,28 +7,51 @@
 
 #include <array>
 
+#include "db/store/bind.hpp"
+#include "db/store/column_meanings.hpp"
 #include "db/store/error.hpp"
 #include "db/store/schema.hpp"
 #include "db/store/schema_2.hpp"
 #include "db/store/schema_3.hpp"
 #include "db/store/schema_4.hpp"
 #include "db/store/schema_5.hpp"
+#include "db/store/schema_6.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::db {
 namespace {
 
 constexpr int application_id = 0x65657269;  // "eeri"
 
-constexpr std::array<Migration, 5> steps = {{
+constexpr std::array<Migration, 6> steps = {{
     {1, schema_1},
     {2, schema_2},
     {3, schema_3},
     {4, schema_4},
     {5, schema_5},
+    {6, schema_6},
 }};
 
 int pragma(SQLite::Database& database, const char* name) {
   return database.execAndGet(fmt::format("PRAGMA {}", name)).getInt();
+}
+
+/// Fills the table `units` from the one table of columns.
+void describe_columns(SQLite::Database& database) {
+  database.exec("DELETE FROM units");
+  SQLite::Statement columns(database, "SELECT name FROM pragma_table_info(?)");
+  SQLite::Statement insert(database, "INSERT INTO units VALUES (?, ?, ?, ?)");
+  for (const View view : {View::results, View::remnants, View::maps}) {
+    bind_all(columns, name(view_names, view));
+    while (columns.executeStep()) {
+      const std::string column = columns.getColumn(0).getString();
+      const ColumnMeaning* known = meaning_of(view, column);
+      if (known == nullptr) continue;
+      bind_all(insert, name(view_names, view), column, std::string(known->unit),
+               std::string(known->meaning));
+      insert.exec();
+    }
+  }
 }
 
 }  // namespace
@@ -53,8 +76,8 @@ void require_current(SQLite::Database& database, const std::string& path) {
   if (const int version = pragma(database, "user_version"); version < latest_version())
     throw Error(
         fmt::format("database {}: its schema has version {} and this program reads version {}; "
-                    "`eerie run`, `daemon` or `doctor --fix` with it brings it up to date",
-                    path, version, latest_version()));
+                    "`eerie doctor --fix --db {}` brings it up to date",
+                    path, version, latest_version(), shell_word(path)));
 }
 
 void migrate(SQLite::Database& database) {
@@ -67,6 +90,7 @@ void migrate(SQLite::Database& database) {
     database.exec(step.sql);
     database.exec(fmt::format("PRAGMA user_version = {}", step.version));
   }
+  describe_columns(database);
   database.exec(fmt::format("PRAGMA application_id = {}", application_id));
   transaction.commit();
 }

@@ -70,6 +70,7 @@ ResultRow result_row(const SQLite::Statement& row) {
   x.end_reason = column("end_reason").getString();
   r.fidelity = column("fidelity").getString();
   r.settings = column("settings").getInt64();
+  r.scheme = column("scheme").getString();
   return r;
 }
 
@@ -153,8 +154,8 @@ std::vector<SweepStatus> sweep_status(const Connection& connection) {
     SQLite::Statement select(sql, R"(
         SELECT s.id, s.name, s.created, j.state, count(*),
                sum(CASE WHEN j.state IN ('pending', 'running') THEN j.expected_particle_steps ELSE 0 END),
-               sum(j.state = 'pending' AND j.wanted <> 'run')
-        FROM sweeps s JOIN sweep_jobs sj ON sj.sweep_id = s.id JOIN jobs j ON j.id = sj.job_id
+               sum(j.state = 'pending' AND j.wanted <> 'run'), l.label
+        FROM sweeps s JOIN sweep_labels l ON l.id = s.id JOIN sweep_jobs sj ON sj.sweep_id = s.id JOIN jobs j ON j.id = sj.job_id
         GROUP BY s.id, j.state ORDER BY s.id)");
     while (select.executeStep()) {
       const std::int64_t id = select.getColumn(0).getInt64();
@@ -163,6 +164,7 @@ std::vector<SweepStatus> sweep_status(const Connection& connection) {
         rows.back().id = id;
         rows.back().name = select.getColumn(1).getString();
         rows.back().created = select.getColumn(2).getString();
+        rows.back().label = select.getColumn(7).getString();
       }
       rows.back().jobs[enumerator<JobState>(job_state_names, select.getColumn(3).getString())] =
           select.getColumn(4).getInt64();
@@ -202,9 +204,10 @@ std::vector<AttemptRow> attempts(const Connection& connection, std::int64_t job)
 std::vector<std::string> sweeps_of(const Connection& connection, std::int64_t job) {
   std::vector<std::string> names;
   connection.read([&](SQLite::Database& sql) {
-    SQLite::Statement select(sql,
-                             "SELECT name FROM sweeps JOIN sweep_jobs ON sweep_id = id WHERE "
-                             "job_id = ? ORDER BY id");
+    SQLite::Statement select(
+        sql,
+        "SELECT label FROM sweep_labels JOIN sweep_jobs ON sweep_id = id WHERE "
+        "job_id = ? ORDER BY id");
     bind_all(select, job);
     while (select.executeStep()) names.push_back(select.getColumn(0).getString());
   });

@@ -33,6 +33,7 @@ struct ResultRow {
   double end_time_s = 0;
   std::string fidelity;       ///< empty: settings without a name
   std::int64_t settings = 0;  ///< db/jobs/job_settings.hpp
+  std::string scheme;         ///< numerics.scheme
   Result result;
   std::string finished;
   /// Whether another solver version made it than the one that works on the database.
@@ -57,6 +58,7 @@ std::optional<double> core_seconds(const Connection& connection, std::int64_t jo
 struct SweepStatus {
   std::int64_t id = 0;
   std::string name, created;
+  std::string label;  ///< the name, or name@2 for the second sweep of this name, and so on
   std::map<JobState, std::int64_t> jobs;
   std::int64_t paused = 0;         ///< number of pending jobs that are paused
   std::int64_t stale = 0;          ///< number of results from another solver version
@@ -97,7 +99,7 @@ struct AttemptRow {
 };
 std::vector<AttemptRow> attempts(const Connection& connection, std::int64_t job);
 
-/// The names of the sweeps to which a job belongs.
+/// The labels of the sweeps to which a job belongs.
 std::vector<std::string> sweeps_of(const Connection& connection, std::int64_t job);
 
 /// The time when the newest result of the sweep was committed, in seconds since 1970; 0 without

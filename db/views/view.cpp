@@ -26,8 +26,11 @@ SELECT j.id AS job, j.hash AS hash, j.state, j.wanted, j.priority, j.crashes,
        r.eer, r.n_eer, r.n_remnants, r.settled, r.unsettled_reason,
        r.ended_at_s, r.end_reason, r.dL_over_L, r.steps, r.particle_steps, r.wall_s, r.threads,
        r.solver_version, r.host, r.finished,
-       CASE WHEN r.job_id IS NOT NULL THEN coalesce(r.solver_version <> now.value, 0) END AS stale
+       CASE WHEN r.job_id IS NOT NULL THEN coalesce(r.solver_version <> now.value, 0) END AS stale,
+       s.scheme, f.job_folder
 FROM main.jobs j LEFT JOIN main.job_results r ON r.job_id = j.id
+     JOIN main.job_folders f ON f.job_id = j.id
+     LEFT JOIN main.job_settings s ON s.id = j.settings
      LEFT JOIN main.settings now ON now.key = 'solver_version'
 )sql";
 

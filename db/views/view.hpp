@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "db/store/column_meanings.hpp"
 #include "db/store/connection.hpp"
 
 namespace SQLite {
@@ -16,17 +16,6 @@ class Statement;
 }
 
 namespace eerie::db {
-
-/// The views for users (docs/reference/database.md). Each connection makes `all_jobs` for itself: it has all
-/// jobs, with the result of those that have one.
-enum class View { results, remnants, maps, all_jobs };
-inline constexpr std::array<std::string_view, 4> view_names = {"results", "remnants", "maps",
-                                                               "all_jobs"};
-
-struct ViewColumn {
-  std::string name;
-  std::string declared;  ///< SQL type of the column of a table behind it; empty for an expression
-};
 
 /// The columns of the view in this database, in its order.
 std::vector<ViewColumn> columns(const Connection& connection, View view);

@@ -57,6 +57,33 @@ TEST_F(Fidelity, ByNameIsNotedWithTheResults) {
   EXPECT_THAT(alone.err, HasSubstr("--confidence needs --fidelity auto"));
 }
 
+TEST_F(Fidelity, SaysWhichFieldsOfTheFileItReplacesInEveryCommandThatTakesOne) {
+  install_text(folder / "scene.json", R"({"numerics": {"particles_per_target": 300}})");
+  install_text(folder / "sweep.json", R"({
+    "name": "own", "scene": {"numerics": {"particles_per_target": 300}},
+    "grid": {"v_imp_cm_per_s": [20]}})");
+  const std::string told =
+      "numerics.particles_per_target = 300 gives way to --fidelity sketch, which has 400; "
+      "--set numerics.particles_per_target=300 keeps it";
+  for (std::vector<std::string> command : std::vector<std::vector<std::string>>{
+           {"expand", "sweep.json"},
+           {"submit", "sweep.json"},
+           {"run", "sweep.json", "--set", "end.time_s=20", "--set", "end.settled.window_s=20",
+            "--workers", "1", "--db", "run.sqlite"},
+           {"solve", "scene.json", "--out", "impact", "--max-steps", "1", "--threads", "1"}}) {
+    const std::string file = command[1];
+    command.insert(command.end(), {"--fidelity", "sketch"});
+    EXPECT_THAT(eerie(command).err, HasSubstr("warning: " + file + ": " + told)) << command[0];
+  }
+  const json expanded =
+      json::parse(eerie({"expand", "sweep.json", "--fidelity", "sketch", "--json"}).out);
+  EXPECT_EQ(expanded.at("warnings").at(0), "sweep.json: " + told);
+  EXPECT_THAT(eerie({"expand", "sweep.json", "--fidelity", "sketch", "--set",
+                     "numerics.particles_per_target=300"})
+                  .err,
+              Not(HasSubstr("gives way")));
+}
+
 TEST_F(Fidelity, AutoRunsInRoundsUntilItIsSureAndHasNothingLeftToDoAfterwards) {
   install_text(folder / "sweep.json", R"({"name": "small", "grid": {"v_imp_cm_per_s": [15, 20]}})");
   // Both fidelities cut down to a second: what is tested is the way through them.

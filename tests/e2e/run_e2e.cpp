@@ -94,16 +94,22 @@ TEST_F(Run, RefusesWhatIsWrongOnTheCommandLine) {
   const std::pair<std::vector<std::string>, const char*> cases[] = {
       {{}, "ubcommand"},
       {{"fly"}, "there is no command \"fly\""},
+      {{"plot"}, "did you mean map?"},
+      {{"quary"}, "did you mean query?"},
       {{"run"}, "SWEEP"},
       {{"run", "nowhere.json"}, "nowhere.json"},
-      {{"run", "sweep.json", "--fast"}, "--fast"},
+      {{"run", "sweep.json", "--fast"}, "`eerie run` has no option --fast"},
+      {{"run", "sweep.json", "--database", "a"}, "did you mean --db?"},
+      {{"run", "sweep.json", "--velocity", "20"}, "--set impact.v_imp_cm_per_s=VALUE"},
+      {{"catalogue", "import", "x", "--out=y"}, "did you mean --output?"},
       {{"run", "sweep.json", "--workers", "0"}, "--workers"},
       {{"run", "sweep.json", "--workers", "two"}, "--workers"},
       {{"run", "sweep.json", "--set", "numerics.sead=3"}, "numerics.seed"},
       {{"run", "sweep.json", "--map", "map.gif"}, ".png, .svg or .pdf"},
       {{"run", "sweep.json", "--map", "m.png", "--set", "numerics.seed=-1"}, "at least 0"},
       {{"query", "--format", "xml"}, "--format"},
-      {{"solve", "sweep.json", "--out", "o"}, "there is no such field"},
+      {{"solve", "sweep.json", "--out", "o"},
+       "sweep.json: is a sweep of impacts and not the scene of one impact; `eerie run sweep.json`"},
   };
   for (const auto& [arguments, expected] : cases) {
     const Ended ended = eerie(arguments);

@@ -15,7 +15,7 @@ AddCommand add_status, add_serve, add_log, add_show, add_query, add_catalogue, a
     add_doctor;
 AddCommand add_converge, add_chart, add_threshold, add_check, add_odds, add_disk, add_lightcurve,
     add_map;
-AddCommand add_manual, add_fidelities;
+AddCommand add_init, add_help, add_manual, add_fidelities;
 AddCommand add_worker, add_slurm_task;  // hidden
 
 }  // namespace eerie::cli

@@ -38,13 +38,6 @@ void add_changes(CLI::App& app, SceneChanges& changes) {
       "the file; --set goes before them (default: standard, behind those of the file)");
 }
 
-std::vector<std::string> SceneChanges::all() const {
-  std::vector<std::string> list;
-  if (!fidelity.empty()) list = sweeps::overrides_of_fidelity(fidelity);
-  list.insert(list.end(), overrides.begin(), overrides.end());
-  return list;
-}
-
 void add_share(CLI::App& app, int& workers, int& threads_per_job) {
   app.add_option("--workers", workers,
                  "jobs at a time (default: measured, as many as work fastest)")
@@ -86,7 +79,8 @@ void add_map_filter(CLI::App& app, db::MapFilter& filter) {
 
 void add_selection(CLI::App& app, queries::JobChoice& a) {
   app.add_option("JOB", a.jobs, "jobs, by the first digits of their hashes");
-  app.add_option("--sweep", a.sweep, "the jobs of the sweep of this name");
+  app.add_option("--sweep", a.sweep,
+                 "the jobs of the sweep of this name; NAME@2: of the second one");
   add_point(app, a);
   app.add_flag("--all", a.all, "every job of the database");
 }
@@ -95,7 +89,8 @@ void add_filters(CLI::App& app, queries::Filter& a) {
   add_point(app, a);
   app.add_option("--class", a.outcome_class, "outcome class");
   app.add_option("--fidelity", a.fidelity, "only runs with the settings of this name");
-  app.add_option("--sweep", a.sweep, "only jobs of the sweep of this name");
+  app.add_option("--sweep", a.sweep,
+                 "only jobs of the sweep of this name; NAME@2: of the second one");
   app.add_flag("--eer", a.eer, "only where there is an extremely elongated remnant");
   app.add_option("--where", a.where,
                  "any column: COLUMN=VALUE, =LO:HI, =LO:, =:HI, =WORD,WORD (* for any letters), "

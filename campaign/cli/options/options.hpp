@@ -10,6 +10,7 @@
 #include "campaign/cli/output/output.hpp"
 #include "campaign/queries/filter.hpp"
 #include "campaign/queries/find_job.hpp"
+#include "campaign/sweeps/scene_changes.hpp"
 #include "db/views/map_points.hpp"
 
 namespace eerie::cli {
@@ -27,13 +28,7 @@ void require_finite_numbers(CLI::App& app);
 // These options are shared by several commands.
 
 void add_database(CLI::App& app, std::filesystem::path& database);
-/// The values of --set and --fidelity.
-struct SceneChanges {
-  std::vector<std::string> overrides;
-  std::string fidelity;  ///< empty: as the file says
-  /// The overrides of the fidelity, then those of --set. Throws InputError for an unknown fidelity.
-  std::vector<std::string> all() const;
-};
+using sweeps::SceneChanges;
 void add_changes(CLI::App& app, SceneChanges& changes);
 void add_share(CLI::App& app, int& workers, int& threads_per_job);
 /// Adds --json and --quiet.

@@ -18,10 +18,10 @@ void add_study(CLI::App& app, StudyArguments& a) {
   add_formats(app);
 }
 
-Answer study_answer(const std::string& study, std::size_t results, const manager::Tally& left,
-                    const std::vector<std::filesystem::path>& files) {
+Answer study_answer(const StudyArguments& arguments, const std::string& study, std::size_t results,
+                    const manager::Tally& left, const std::vector<std::filesystem::path>& files) {
   Answer answer;
-  conclude(answer, left, " from the checkpoints");
+  conclude(answer, left, arguments.plan.database, " from the checkpoints");
   answer.data = {{"study", study},
                  {"results", results},
                  {"failed", left.failed},

@@ -27,7 +27,7 @@ studies::StudyWork<Run> watch_study(StudyArguments a, const Study& study,
 }
 
 /// The answer {"study", "results", "failed", "left", "files"}, with its exit code.
-Answer study_answer(const std::string& study, std::size_t results, const manager::Tally& left,
-                    const std::vector<std::filesystem::path>& files);
+Answer study_answer(const StudyArguments& arguments, const std::string& study, std::size_t results,
+                    const manager::Tally& left, const std::vector<std::filesystem::path>& files);
 
 }  // namespace eerie::cli

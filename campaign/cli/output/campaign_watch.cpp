@@ -1,6 +1,7 @@
 #include "campaign/cli/output/campaign_watch.hpp"
 
 #include "campaign/cli/output/complain.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -48,13 +49,15 @@ void CampaignWatch::begins(const auto_fidelity::AutoRound& round,
            round.left, auto_fidelity::spent_core_hours(campaign));
 }
 
-void conclude(Answer& answer, const manager::Tally& t, const std::string& how) {
+void conclude(Answer& answer, const manager::Tally& t, const std::filesystem::path& database,
+              const std::string& how) {
   answer.exit_code = static_cast<int>(t.failed > 0 ? ExitCode::job_failed : ExitCode::done);
   if (t.left > t.paused) {
     answer.complain("stopped; the same command goes on{}", how);
     answer.exit_code = stopped_by_signal;
   } else if (t.paused > 0) {
-    answer.complain("{} jobs are paused; `eerie resume` lets them go on", t.paused);
+    answer.complain("{} jobs are paused; `eerie resume --all --db {}` lets them go on", t.paused,
+                    shell_word(database.string()));
   }
 }
 

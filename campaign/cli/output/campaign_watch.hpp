@@ -29,6 +29,7 @@ class CampaignWatch : public studies::StudyObserver, public auto_fidelity::AutoO
 
 /// Sets the exit code of a campaign by what is left of it, and complains where that is not 0. `how`
 /// says from where the same command continues.
-void conclude(Answer& answer, const manager::Tally& tally, const std::string& how = "");
+void conclude(Answer& answer, const manager::Tally& tally, const std::filesystem::path& database,
+              const std::string& how = "");
 
 }  // namespace eerie::cli

@@ -7,11 +7,12 @@
 #include <cstring>
 
 #include "campaign/text/json_text.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 
 std::string see_status(const std::filesystem::path& database) {
-  return fmt::format("`eerie status --db {}` shows what it holds", database.string());
+  return fmt::format("`eerie status --db {}` shows what it holds", shell_word(database.string()));
 }
 
 nlohmann::json names_of(const std::vector<std::filesystem::path>& files) {

@@ -9,6 +9,7 @@
 #include "campaign/cli/output/files.hpp"
 #include "campaign/sweeps/job.hpp"
 #include "campaign/text/given_file.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -71,7 +72,7 @@ Answer import_catalogue(const CatalogueArguments& a) {
                  {"ignored", catalogue.ignored}};
   for (const std::string& warning : sweeps::cautions(scenes)) answer.warn(warning);
   answer.say("{}: {} impacts of {} lines; `eerie run {}` runs them\n", file, scenes.size(),
-             catalogue.rows.size(), file);
+             catalogue.rows.size(), shell_word(file.string()));
   return answer;
 }
 
@@ -84,7 +85,7 @@ void add_summary(Answer& answer, const std::vector<Comparison>& all, const Catal
     answer.say("the class is the same in {} of {}\n", whole.same_class, whole.classes);
   if (whole.lacking > 0)
     answer.say("{} impacts have no result; `eerie catalogue import {}` makes a sweep\n",
-               whole.lacking, a.catalogue);
+               whole.lacking, shell_word(a.catalogue.string()));
 }
 
 Answer compare_catalogue(const CatalogueArguments& a) {

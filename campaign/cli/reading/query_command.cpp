@@ -44,7 +44,7 @@ Answer answer_of(const db::Connection& connection, const db::ViewQuery& query, b
   answer.add(std::move(table));
   if (query.columns.empty() && query.view == db::View::results) {
     const std::vector<db::ResultRow> results = db::selected_results(connection, query);
-    answer.add(results::results_table(results), results::legend_of(results));
+    answer.add(results::results_table(results), results::legend_of(connection, results));
   }
   return answer;
 }

@@ -23,7 +23,7 @@ Answer chart(const ChartArguments& a, Output& out) {
         "{}: the database {} lacks the reference's result of some case: nothing to measure against",
         a.work.study.string(), a.work.plan.database.string()));
   const std::vector<fs::path> files = studies::write_cost_study(study, results, points, a.picture);
-  Answer answer = study_answer(study.name, results.size(), left, files);
+  Answer answer = study_answer(a.work, study.name, results.size(), left, files);
   answer.data["points"] = points.size();
   answer.say("\n");
   answer.add(studies::table_of_points(study, points));

@@ -2,6 +2,7 @@
 #include "campaign/cli/options/study_options.hpp"
 #include "campaign/studies/convergence_files.hpp"
 #include "campaign/text/given_folder.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;
@@ -25,13 +26,15 @@ Answer converge(const ConvergeArguments& a, Output& out) {
   const std::vector<studies::ConvergenceCell> cells = studies::cells_of(study, results);
   const std::vector<fs::path> files =
       studies::write_convergence_study(study, results, a.folder, jobs);
-  Answer answer = study_answer(study.name, results.size(), left, files);
+  Answer answer = study_answer(a.work, study.name, results.size(), left, files);
   answer.say("\n");
   answer.add(studies::table_of_cells(cells));
   answer.say("\n");
   answer.add(studies::table_of_particles_needed(studies::particles_needed(study, cells)));
   answer.say("\n{} results{}{}\n", results.size(),
-             left.failed > 0 ? fmt::format(", {} failed (eerie status says why)", left.failed) : "",
+             left.failed > 0 ? fmt::format(", {} failed (`eerie status --db {}` says why)",
+                                           left.failed, shell_word(a.work.plan.database.string()))
+                             : "",
              left.left > 0 ? fmt::format(", {} left", left.left) : "");
   answer.add_files(files);
   return answer;

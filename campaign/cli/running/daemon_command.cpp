@@ -11,6 +11,7 @@
 #include "campaign/process/cores.hpp"
 #include "campaign/process/notify.hpp"
 #include "campaign/process/signals.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -57,7 +58,7 @@ Answer daemon(const DaemonArguments& a, Output& out) {
                source.version, source.commit, ::getpid(), a.database.string(), a.scheduler.kind,
                a.scheduler.is_local() ? fmt::format("{}", workers) : "-");
   out.say("working on {}; `eerie submit SWEEP --db {}` gives it work, Ctrl-C ends it\n", a.database,
-          a.database);
+          shell_word(a.database.string()));
   process::notify_service_manager("READY=1");
   manager::StatusFile status(a.database);
   IdleNews news(*a.notices, a.database);

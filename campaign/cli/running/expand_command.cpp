@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/overview/estimate.hpp"
 #include "campaign/sweeps/job.hpp"
@@ -16,9 +18,10 @@ struct ExpandArguments {
 };
 
 Answer expand(const ExpandArguments& a) {
-  const sweeps::Plan plan = sweeps::load_plan(a.sweep, a.changes.all());
+  const sweeps::Plan plan = sweeps::load_plan(a.sweep, a.changes);
   const std::vector<db::NewJob>& jobs = plan.jobs;
-  const std::vector<std::string> warned = sweeps::cautions(plan.scenes);
+  std::vector<std::string> warned = plan.replaced;
+  std::ranges::move(sweeps::cautions(plan.scenes), std::back_inserter(warned));
   const overview::Estimate e = overview::estimate(a.database, jobs);
   Answer answer;
   answer.data = {{"sweep", plan.sweep.name},

@@ -6,6 +6,7 @@
 #include "campaign/sweeps/plan.hpp"
 #include "campaign/sweeps/sweep.hpp"
 #include "db/store/connection.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;
@@ -51,7 +52,7 @@ Answer change(const ChangeArguments& a, manager::Request request, const char* do
     answer.warn(
         fmt::format("nothing to do: no job that this concerns matches; `eerie status --db "
                     "{}` shows what there is",
-                    a.database.string()));
+                    shell_word(a.database.string())));
   return answer;
 }
 
@@ -74,7 +75,7 @@ Answer submit(const SubmitArguments& a) {
   manager::Request request;
   request.kind = "submit";
   // Mistakes are told here and now.
-  const sweeps::Plan plan = sweeps::load_plan(a.sweep, a.changes.all());
+  const sweeps::Plan plan = sweeps::load_plan(a.sweep, a.changes);
   request.sweep = sweeps::document(plan.sweep);
   request.priority = a.priority;
   if (!a.wall_limit.empty())
@@ -83,10 +84,11 @@ Answer submit(const SubmitArguments& a) {
   const auto told = ask(a.database, request);
   Answer answer;
   answer.data = told.value_or(json{{"sweep", plan.sweep.name}});
+  for (const std::string& warning : plan.replaced) answer.warn(warning);
   for (const std::string& warning : sweeps::cautions(plan.scenes)) answer.warn(warning);
   if (told)
-    answer.say("{}: {} jobs, {} new\n", plan.sweep.name, told->at("jobs").get<std::size_t>(),
-               told->at("added").get<std::size_t>());
+    answer.say("{}: {} jobs, {} new\n", told->at("sweep").get<std::string>(),
+               told->at("jobs").get<std::size_t>(), told->at("added").get<std::size_t>());
   else
     answer.say("{}: the manager at work is busy; it will take it\n", plan.sweep.name);
   return answer;

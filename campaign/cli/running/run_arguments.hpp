@@ -6,6 +6,7 @@
 #include "campaign/auto_fidelity/auto_fidelity.hpp"
 #include "campaign/cli/options/options.hpp"
 #include "campaign/cli/options/scheduler_options.hpp"
+#include "campaign/overview/next_steps.hpp"
 
 namespace eerie::cli {
 
@@ -22,6 +23,9 @@ struct RunArguments {
   double core_hours = 0;  ///< 0: no limit
   std::vector<const CLI::Option*> options_of_auto;
 };
+
+/// The run as it was typed, but for its budget.
+overview::TypedRun typed(const RunArguments& arguments);
 
 /// Runs `eerie run` with --fidelity auto.
 Answer run_auto(const RunArguments& arguments, Output& out);

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/campaign_watch.hpp"
 #include "campaign/cli/output/failures.hpp"
@@ -9,9 +7,9 @@
 #include "campaign/maps/map.hpp"
 #include "campaign/overview/campaign_look.hpp"
 #include "campaign/overview/estimate.hpp"
+#include "campaign/overview/next_steps.hpp"
 #include "campaign/results/results_table.hpp"
 #include "campaign/results/view_tables.hpp"
-#include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/plan.hpp"
 #include "db/jobs/control.hpp"
 #include "db/jobs/jobs.hpp"
@@ -35,24 +33,28 @@ std::vector<fs::path> draw(const db::Connection& connection, const RunArguments&
   return pictures;
 }
 
-/// Commands that can be pasted: a look at an elongated remnant, and the same sweep one rung up.
-void add_next_steps(Answer& answer, const RunArguments& a,
-                    const std::vector<db::ResultRow>& results) {
-  if (const auto elongated =
-          std::ranges::find_if(results, [](const db::ResultRow& r) { return r.result.n_eer > 0; });
-      elongated != results.end())
-    answer.say("next:     eerie show {} --db {}\n", elongated->hash.substr(0, 8), a.database);
-  if (results.empty()) return;
-  if (const std::string_view finer = sweeps::rung_above(results.front().fidelity); !finer.empty())
-    answer.say("finer:    eerie run {} --db {} --fidelity {}\n", a.sweep, a.database, finer);
+}  // namespace
+
+overview::TypedRun typed(const RunArguments& a) {
+  overview::TypedRun run{a.sweep, a.database, a.changes};
+  if (!a.scheduler.is_local()) run.options = {"--scheduler", a.scheduler.kind};
+  if (!a.scheduler.profile.empty())
+    run.options.insert(run.options.end(), {"--profile", a.scheduler.profile.string()});
+  for (const CLI::Option* option : a.options_of_auto)
+    if (option->count() > 0 && option->get_name() != "--budget")
+      run.options.insert(run.options.end(), {option->get_name(), option->as<std::string>()});
+  return run;
 }
 
-Answer report(const db::Connection& connection, const RunArguments& a, std::int64_t sweep,
-              const std::string& name) {
+namespace {
+
+Answer report(const db::Connection& connection, const RunArguments& a, const sweeps::Plan& plan,
+              const db::AddedSweep& added) {
+  const auto& [sweep, name] = std::pair(added.sweep, added.label);
   const manager::Tally t = manager::tally(connection, sweep);
   Answer answer;
   conclude(
-      answer, t,
+      answer, t, a.database,
       a.scheduler.is_local() ? " from the checkpoints" : "; what is in Slurm's queue stays there");
   std::vector<fs::path> pictures;
   try {
@@ -73,8 +75,8 @@ Answer report(const db::Connection& connection, const RunArguments& a, std::int6
   filter.sweep = sweep;
   answer.say("\n");
   const std::vector<db::ResultRow> results = db::results(connection, filter);
-  answer.add(results::results_table(results), results::legend_of(results));
-  if (const std::string drift = results::drift_warning(results); !drift.empty())
+  answer.add(results::results_table(results), results::legend_of(connection, results));
+  if (const std::string drift = results::drift_warning(connection, results); !drift.empty())
     print_warnings({drift});
   answer.say("\n");
   for (const std::string& sentence : facts::finding(results)) answer.say("{}\n", sentence);
@@ -82,10 +84,11 @@ Answer report(const db::Connection& connection, const RunArguments& a, std::int6
              t.failed > 0 ? fmt::format(", {} failed", t.failed) : "",
              t.left > 0 ? fmt::format(", {} left", t.left) : "");
   add_failures(answer, failures, job_folder::job_folder(connection));
-  if (t.failed > 0) answer.say("run again with --retry-failed to try the failed jobs once more\n");
   answer.say("database: {}\n", a.database);
   for (const fs::path& picture : pictures) answer.say("map:      {}\n", picture);
-  add_next_steps(answer, a, results);
+  const auto steps = overview::next_steps(typed(a), plan, t, results);
+  answer.data["next"] = overview::to_json(steps);
+  answer.add_text(overview::text_of(steps));
   return answer;
 }
 
@@ -96,44 +99,37 @@ void require_fixed_fidelity(const RunArguments& a) {
           fmt::format("{0} needs --fidelity auto; add that, or leave {0} out", option->get_name()));
 }
 
-/// The fidelity of a sweep, its cost, and what a cheaper one would take.
-void say_cost(Output& out, const sweeps::Plan& plan, const fs::path& database) {
-  const std::string fidelity = plan.jobs.front().fidelity;
-  const std::string cheaper = sweeps::cheaper_rung(fidelity);
-  out.say("{}: about {:.2g} core-hours in all{}\n",
-          fidelity.empty() ? "settings without a name" : "fidelity " + fidelity,
-          overview::estimate(database, plan.jobs).core_hours,
-          cheaper.empty() ? "" : fmt::format(" ({})", cheaper));
-}
-
 Answer run(const RunArguments& a, Output& out) {
   if (a.changes.fidelity == "auto") return run_auto(a, out);
   require_fixed_fidelity(a);
-  const sweeps::Plan plan = sweeps::load_plan(a.sweep, a.changes.all());
-  const std::string& name = plan.sweep.name;
+  const sweeps::Plan plan = sweeps::load_plan(a.sweep, a.changes);
   if (!a.maps.empty()) {
     maps::require_map_files(a.maps, "--map");
     maps::require_one_figure(plan.jobs, "--map " + a.maps.front().string());
   }
   require_consistent(a.scheduler);
   HeldDatabase held(a.database, a.scheduler);
-  CampaignWatch watch(name, out);
+  CampaignWatch watch(plan.sweep.name, out);
   const db::AddedSweep added = manager::add_when_free(held.connection, watch, [&] {
     const db::AddedSweep sweep = sweeps::store(held.connection, plan);
     if (a.retry_failed) db::retry_failed(held.connection, sweep.sweep);
     return sweep;
   });
+  const std::string& name = added.label;
   if (const std::size_t left = manager::tally(held.connection, added.sweep).left; left > 0) {
-    say_cost(out, plan, a.database);
+    out.say("{}\n", overview::cost_sentence(a.database, plan.jobs));
     out.say("{}: {} jobs, {} new, {} to run\n", name, added.jobs, added.added, left);
-    if (plan.jobs.front().fidelity.empty())
-      print_warnings(sweeps::departures(plan.sweep.scene, a.sweep.string()));
+    if (name != plan.sweep.name)
+      out.say("{} is another sweep of this database; --sweep {} means this one\n", plan.sweep.name,
+              name);
+    print_warnings(sweeps::departures(plan));
+    print_warnings(plan.replaced);
     print_warnings(sweeps::cautions(plan.scenes));
     manager::work(held.connection, added.sweep, workplace(a.scheduler, a.share), watch);
   } else {
     out.say("{}: nothing left to do\n", name);
   }
-  return report(held.connection, a, added.sweep, name);
+  return report(held.connection, a, plan, added);
 }
 
 }  // namespace

@@ -91,7 +91,8 @@ Answer report(const Scene& scene, const SolveArguments& a, const worker::Compute
 }
 
 Answer solve(const SolveArguments& a) {
-  const Scene scene = sweeps::load_scene(a.scene, a.changes.all());
+  const auto [scene, replaced] = sweeps::load_scene(a.scene, a.changes);
+  print_warnings(replaced);
   print_warnings(warnings(scene));
   process::catch_stop_signals();
   const job_folder::JobDirectory directory{a.directory};

@@ -5,6 +5,7 @@
 #include "campaign/cli/output/progress_line.hpp"
 #include "campaign/overview/campaign_look.hpp"
 #include "campaign/process/signals.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;
@@ -29,8 +30,9 @@ Answer answer_of(const overview::CampaignLook& look, const fs::path& database) {
   if (!look.failures.empty()) answer.say("\n");
   add_failures(answer, look.failures, look.folder);
   for (const manager::Silence& s : look.silent)
-    answer.say("\nsilent: job {} on {} gave no sign of life for {}; `eerie log {}`\n",
-               s.hash.substr(0, 16), s.host, duration(s.seconds), s.hash.substr(0, 8));
+    answer.say("\nsilent: job {} on {} gave no sign of life for {}; `eerie log {} --db {}`\n",
+               s.hash.substr(0, 16), s.host, duration(s.seconds), s.hash.substr(0, 8),
+               shell_word(database.string()));
   return answer;
 }
 

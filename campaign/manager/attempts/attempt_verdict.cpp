@@ -9,6 +9,7 @@
 #include "db/jobs/jobs.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::manager {
 namespace fs = std::filesystem;
@@ -109,11 +110,14 @@ db::JobState commit(db::Connection& connection, const db::Job& job, const Attemp
     return db::end_attempt(connection, job.id, row, next);
   };
   const auto over_limit = [&] {
-    return end_as(db::ExitReason::failed, "wall-limit",
-                  fmt::format("it took longer than its wall limit of {:g} s; raise that with "
-                              "`eerie wall-limit` and retry: it goes on from its checkpoint",
-                              job.wall_limit_s.value_or(0)),
-                  db::JobState::failed);
+    return end_as(
+        db::ExitReason::failed, "wall-limit",
+        fmt::format("it took longer than its wall limit of {0:g} s; raise that with "
+                    "`eerie wall-limit none {1} --db {2}`, and `eerie retry {1} --db {2}` "
+                    "lets it go on from its checkpoint",
+                    job.wall_limit_s.value_or(0), job.hash.substr(0, 16),
+                    shell_word(connection.path().string())),
+        db::JobState::failed);
   };
   return std::visit(
       Overloaded{

@@ -7,7 +7,7 @@
 
 #include "campaign/queries/filter.hpp"
 #include "campaign/results/view_tables.hpp"
-#include "db/views/column_meanings.hpp"
+#include "db/store/column_meanings.hpp"
 #include "db/views/view.hpp"
 #include "solver/base/error.hpp"
 

@@ -18,7 +18,7 @@ json or_null(const std::optional<std::string>& text) { return text ? json(*text)
 json or_null(const std::optional<double>& value) { return value ? json(*value) : json(); }
 
 json to_json(const db::SweepStatus& sweep, const db::Speed& speed) {
-  json object = {{"name", sweep.name}, {"created", sweep.created}};
+  json object = {{"name", sweep.label}, {"created", sweep.created}};
   for (std::size_t i = 0; i < db::job_state_names.size(); ++i)
     object["jobs"][std::string(db::job_state_names[i])] =
         count(sweep, static_cast<db::JobState>(i));

@@ -77,6 +77,52 @@ TEST(Sweep, TakesAnyNumericFieldAsAnAxis) {
   EXPECT_TRUE(points.contains({3, 22700}));
 }
 
+TEST(Sweep, TakesWordsAndFlagsAsAxesAndInPoints) {
+  const Sweep sweep = sweep_of(R"({"name": "s",
+    "grid": {"numerics.kernel": ["wendland-c2", "cubic-spline"], "v_imp_cm_per_s": [20, 30],
+             "numerics.rigid_flight": [false, true]}})");
+  std::set<std::tuple<std::string, double, bool>> points;
+  for (const Scene& s : expand(sweep))
+    points.emplace(s.numerics.kernel, s.impact.v_imp_cm_per_s, s.numerics.rigid_flight);
+  EXPECT_EQ(points.size(), 8u);
+  const Sweep listed = sweep_of(R"({"name": "s", "points": [
+    {"numerics.kernel": "wendland-c2", "q": 1}, {"numerics.kernel": "cubic-spline", "q": 0.5}]})");
+  EXPECT_EQ(expand(listed)[1].numerics.kernel, "cubic-spline");
+  EXPECT_EQ(expand(listed)[1].impact.q, 0.5);
+}
+
+TEST(Sweep, MakesOfEachWordTheJobThatASceneWithThisWordIs) {
+  const Sweep sweep = sweep_of(R"({"name": "s",
+    "scene": {"numerics": {"particles_per_target": 1000}},
+    "grid": {"numerics.scheme": ["closing-gaps", "libersky-petschek-2018"]}})");
+  std::set<std::string> single;
+  for (const char* scheme : {"closing-gaps", "libersky-petschek-2018"})
+    single.merge(hashes(sweep_of(
+        R"({"name": "s", "scene": {"numerics": {"particles_per_target": 1000}}, "grid": {"q": [1]}})",
+        {std::string("numerics.scheme=") + scheme})));
+  EXPECT_EQ(hashes(sweep), single);
+  // The default fidelity is meant for scenes without energy, and for these alone.
+  const Sweep energies =
+      sweep_of(R"({"name": "s", "grid": {"material.energy": ["none", "integrated"]}})");
+  EXPECT_TRUE(expand(energies)[0].numerics.rigid_flight);
+  EXPECT_FALSE(expand(energies)[1].numerics.rigid_flight);
+}
+
+TEST(Sweep, HasADocumentThatIsTheSameSweepAgainWhateverItVaries) {
+  for (const char* grid :
+       {R"({"numerics.scheme": ["closing-gaps", "dual"], "v_imp_cm_per_s": [20, 30]})",
+        R"({"numerics.kernel": ["wendland-c2", "cubic-spline"]})",
+        R"({"material.energy": ["none", "integrated"]})",
+        R"({"numerics.rigid_flight": [false, true]})",
+        R"({"numerics.particles_per_target": [500, 1000]})",
+        R"({"end.settled.window_s": [4000, 5000], "end.time_s": [1e5, 2e5]})"}) {
+    const Sweep sweep = sweep_of(R"({"name": "s", "grid": )" + std::string(grid) + "}");
+    const Sweep again = sweep_of(document(sweep));
+    EXPECT_EQ(hashes(again), hashes(sweep)) << grid;
+    EXPECT_EQ(document(again), document(sweep)) << grid;
+  }
+}
+
 TEST(Sweep, IsTheSameDocumentWhenGivenAsRangeOrAsList) {
   const Sweep range = sweep_of(
       R"({"name": "s", "grid": {"q": [1.0], "v_imp_cm_per_s": {"from": 12, "to": 18, "step": 3}}})");

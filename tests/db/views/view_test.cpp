@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 
 #include "db/jobs/jobs.hpp"
+#include "db/store/bind.hpp"
 #include "db/store/error.hpp"
+#include "db/store/settings.hpp"
+#include "db/views/query.hpp"
 #include "tests/db/jobs/sample_jobs.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
@@ -47,6 +50,74 @@ class Views : public testing::Test {
   Connection connection{folder / "a.sqlite", Access::write};
   std::int64_t first = 0;
 };
+
+TEST_F(Views, SayTheSchemeOfAJobTheFolderOfItsFilesAndItsDebris) {
+  NewJob job = sample_jobs(5).back();
+  job.hash = "0123456789abcdef0123";
+  job.scene = R"({"numerics": {"scheme": "closing-gaps"}})";
+  add_sweep(connection, "schemes", "{}", std::vector{job});
+  const std::int64_t id = db::jobs(connection, {.selection = {.hashes = {"0123"}}}).at(0).id;
+  begin_attempts(connection, std::vector{Start{id, "here", "1", "0.1.0"}});
+  finish(connection, id, test::ended(ExitReason::finished), sample_result(0.5),
+         std::vector<Remnant>{Remnant{.rank = 1, .mass_over_total = 0.75},
+                              Remnant{.rank = 2, .mass_over_total = 0.125}});
+  const std::vector<Condition> this_job = {{.column = "job", .lo = id, .hi = id}};
+  const auto read = [&] {
+    return rows(connection,
+                {.columns = {"scheme", "job_folder", "debris_fraction"}, .conditions = this_job})
+        .rows.at(0);
+  };
+  EXPECT_EQ(read()[0], Cell("closing-gaps"));
+  EXPECT_EQ(read()[2], Cell(0.125));
+  EXPECT_EQ(read()[1], Cell());  // until a manager has worked on the database
+  set(connection, "database_name", "a.sqlite");
+  EXPECT_EQ(read()[1], Cell("a.sqlite.jobs/0123456789abcdef"));
+  set(connection, "jobs_folder", "/scratch/jobs");
+  EXPECT_EQ(read()[1], Cell("/scratch/jobs/0123456789abcdef"));
+  for (const View view : {View::remnants, View::maps, View::all_jobs}) {
+    const ViewRows found = rows(
+        connection, {.view = view, .conditions = {{.column = "scheme", .words = {"closing-*"}}}});
+    EXPECT_EQ(found.rows.size(), view == View::remnants ? 2u : 1u) << name(view_names, view);
+  }
+}
+
+TEST_F(Views, HaveTheUnitAndMeaningOfEveryColumnInATableBesideThem) {
+  connection.read([](SQLite::Database& sql) {
+    SQLite::Statement select(sql,
+                             "SELECT unit, meaning FROM units WHERE view = ? AND column_name = ?");
+    for (const View view : {View::results, View::remnants, View::maps}) {
+      SQLite::Statement columns(sql, "SELECT name FROM pragma_table_info(?)");
+      bind_all(columns, name(view_names, view));
+      while (columns.executeStep()) {
+        const std::string column = columns.getColumn(0).getString();
+        bind_all(select, name(view_names, view), column);
+        ASSERT_TRUE(select.executeStep()) << column;
+        EXPECT_EQ(select.getColumn(0).getString(), unit_in_name(column)) << column;
+        EXPECT_EQ(select.getColumn(1).getString(), meaning_of(view, column)->meaning) << column;
+      }
+    }
+  });
+}
+
+TEST_F(Views, NumberSweepsOfOneNameThatDiffer) {
+  const std::vector<NewJob> jobs = sample_jobs(4);
+  const auto add = [&](const char* document, std::size_t jobs_of_it) {
+    return add_sweep(connection, "first", document, std::span(jobs).first(jobs_of_it)).label;
+  };
+  EXPECT_EQ(add("{}", 2), "first");
+  EXPECT_EQ(add(R"({"other": 1})", 3), "first@2");
+  EXPECT_EQ(add("{}", 2), "first");
+  std::vector<std::string> labels;
+  for (const SweepStatus& sweep : sweep_status(connection)) labels.push_back(sweep.label);
+  EXPECT_THAT(labels, ElementsAre("first", "all", "first@2"));
+  const auto chosen = [&](const char* sweep) {
+    return db::jobs(connection, {.selection = {.sweep = sweep}}).size();
+  };
+  EXPECT_EQ(chosen("first"), 3u);  // all of the name
+  EXPECT_EQ(chosen("first@1"), 2u);
+  EXPECT_EQ(chosen("first@2"), 3u);
+  EXPECT_EQ(chosen("first@3"), 0u);
+}
 
 TEST_F(Views, FindRowsByRangesWordsAndMissingValues) {
   EXPECT_THAT(speeds({}), ElementsAre(15, 16, 17, 18));

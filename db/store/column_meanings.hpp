@@ -1,17 +1,27 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "db/views/view.hpp"
-
 namespace eerie::db {
+
+/// The views for users (docs/reference/database.md). Each connection makes `all_jobs` for itself:
+/// it has all jobs, with the result of those that have one.
+enum class View { results, remnants, maps, all_jobs };
+inline constexpr std::array<std::string_view, 4> view_names = {"results", "remnants", "maps",
+                                                               "all_jobs"};
+
+struct ViewColumn {
+  std::string name;
+  std::string declared;  ///< SQL type of the column of a table behind it; empty for an expression
+};
 
 enum class ColumnKind { number, integer, flag, word };
 
-/// The meaning of a column of a view, for headers of exported files.
+/// The meaning of a column of a view, for headers of exported files and the table `units`.
 struct ColumnMeaning {
   std::string_view name;
   std::string_view unit;  ///< "" where it has none

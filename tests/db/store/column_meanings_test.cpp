@@ -1,10 +1,11 @@
-#include "db/views/column_meanings.hpp"
+#include "db/store/column_meanings.hpp"
 
 #include <gmock/gmock.h>
 
 #include <set>
 
 #include "db/store/bind.hpp"
+#include "db/views/view.hpp"
 #include "solver/base/file.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 #include "tests/support/paths.hpp"
@@ -25,7 +26,7 @@ TEST_F(ColumnMeanings, AreThereForEveryColumnOfEveryViewWithTheUnitOfItsName) {
     for (const ViewColumn& column : columns(connection, view)) {
       const ColumnMeaning* known = meaning_of(view, column.name);
       ASSERT_NE(known, nullptr) << name(view_names, view) << "." << column.name
-                                << " needs a line in the table of db/views/column_meanings.cpp";
+                                << " needs a line in the table of db/store/column_meanings.cpp";
       EXPECT_FALSE(known->meaning.empty()) << column.name;
       EXPECT_EQ(known->unit, unit_in_name(column.name)) << column.name;
     }

@@ -1,4 +1,4 @@
-#include "campaign/maps/settings_choice.hpp"
+#include "campaign/results/settings_choice.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include "solver/base/error.hpp"
 #include "tests/support/impact_database.hpp"
 
-namespace eerie::maps {
+namespace eerie::results {
 namespace {
 using nlohmann::json;
 using test::survey_scene;
@@ -48,6 +48,15 @@ TEST_F(SettingsChoice, NamesTheFieldsThatDifferAndNoOthers) {
   EXPECT_THAT(text, Not(HasSubstr("scheme")));
 }
 
+TEST_F(SettingsChoice, LeavesToTheNameOfASchemeWhatTheSchemeSets) {
+  add({{"numerics", {{"scheme", "closing-gaps"}, {"kernel", "cubic-spline"}}}});
+  add({{"numerics", {{"scheme", "libersky-petschek-2018"}, {"kernel", "wendland-c2"}}}});
+  const std::string text = settings_choices(connection, ids());
+  EXPECT_THAT(text, HasSubstr("numerics.scheme=closing-gaps, numerics.kernel=cubic-spline\n"));
+  EXPECT_THAT(text, testing::EndsWith(
+                        "numerics.scheme=libersky-petschek-2018, numerics.kernel=wendland-c2"));
+}
+
 TEST_F(SettingsChoice, IsAskedForOnlyWhereThereAreSeveral) {
   add(json::object());
   EXPECT_NO_THROW(require_one_settings(connection, ids()));
@@ -56,4 +65,4 @@ TEST_F(SettingsChoice, IsAskedForOnlyWhereThereAreSeveral) {
 }
 
 }  // namespace
-}  // namespace eerie::maps
+}  // namespace eerie::results

@@ -1,4 +1,4 @@
-#include "db/views/column_meanings.hpp"
+#include "db/store/column_meanings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,6 +27,8 @@ constexpr ColumnMeaning table[] = {
     {"seed", "", integer, "of all random numbers of the run"},
     {"end_time_s", "s", number, "simulated time at which the run ends at the latest"},
     {"fidelity", "", word, "name of the settings; empty: they have none"},
+    {"scheme", "", word, "name of the numerical scheme (numerics.scheme)"},
+    {"job_folder", "", word, "folder of its files, relative to the folder of the database"},
     // its outcome
     {"settings", "", integer, "what jobs share apart from impact, seed and output: job_settings"},
     {"class", "", word, "outcome class", View::results},
@@ -40,6 +42,7 @@ constexpr ColumnMeaning table[] = {
     {"eer", "", flag, "whether the largest remnant is extremely elongated (b/a < 0.3)",
      View::results},
     {"n_eer", "", integer, "extremely elongated remnants", View::results},
+    {"debris_fraction", "", number, "mass in clumps of fewer than 100 particles over all mass"},
     {"n_remnants", "", integer, "remnants of at least 100 particles"},
     {"settled", "", flag, "whether no remnants will meet again"},
     {"unsettled_reason", "", word, "which remnants will meet again"},

@@ -1,0 +1,193 @@
+#include "campaign/overview/next_steps.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "campaign/sweeps/fidelity.hpp"
+#include "campaign/sweeps/scene_field.hpp"
+#include "campaign/text/given_file.hpp"
+#include "campaign/text/plain_text.hpp"
+#include "solver/base/text/shell_word.hpp"
+
+namespace eerie::overview {
+using db::ResultRow;
+using nlohmann::json;
+
+namespace {
+
+constexpr const char *speed = "impact.v_imp_cm_per_s", *angle = "impact.theta_imp_deg";
+
+std::string in_database(const TypedRun& run) {
+  return " --db " + shell_word(run.database.string());
+}
+
+const sweeps::Axis* axis_of(const sweeps::Sweep& sweep, const std::string& path) {
+  const auto found = std::ranges::find(sweep.axes, path, &sweeps::Axis::path);
+  return found == sweep.axes.end() ? nullptr : &*found;
+}
+
+bool varies(const sweeps::Sweep& sweep, const std::string& path) {
+  return axis_of(sweep, path) != nullptr ||
+         std::ranges::find(sweep.points.paths, path) != sweep.points.paths.end();
+}
+
+/// What lets impacts go on that had not settled: flight to a meeting at next to no cost, or twice
+/// the time. Nothing where the sweep varies it.
+std::string later_end(const sweeps::Plan& plan, double latest_s) {
+  constexpr double time_of_flight_s = 1e6;
+  if (varies(plan.sweep, "end.time_s") || varies(plan.sweep, "end.settled.horizon_s")) return "";
+  const bool flies = std::ranges::all_of(
+      plan.scenes, [](const Scene& scene) { return scene.numerics.rigid_flight; });
+  if (flies && latest_s < time_of_flight_s)
+    return fmt::format("--set end.time_s={0:.12g} --set end.settled.horizon_s={0:.12g}",
+                       time_of_flight_s);
+  const double most = sweeps::scene_field("end.time_s", "").schema->at("maximum").get<double>();
+  return 2 * latest_s > most ? "" : fmt::format("--set end.time_s={:.12g}", 2 * latest_s);
+}
+
+/// The sweep once more with a later end.
+NextStep longer(const TypedRun& run, const sweeps::Plan& plan,
+                const std::vector<ResultRow>& results) {
+  double latest = 0;
+  std::size_t unsettled = 0;
+  for (const ResultRow& row : results)
+    if (!row.result.settled) ++unsettled, latest = std::max(latest, row.end_time_s);
+  const std::string change = unsettled == 0 ? "" : later_end(plan, latest);
+  if (change.empty()) return {};
+  return {fmt::format("compute all again to a later end, since {} not settled",
+                      unsettled == 1 ? "one has" : fmt::format("{} have", unsettled)),
+          command_of(run, change)};
+}
+
+/// A value of an axis between its neighbours at half the distance: "[18, 20, 22]".
+std::string finer_values(const sweeps::Axis& axis, double at) {
+  std::vector<double> values;
+  for (const json& value : axis.values) values.push_back(value.get<double>());
+  std::ranges::sort(values);
+  const auto here = std::ranges::find(values, sweeps::rounded(at));
+  if (here == values.end() || values.size() < 2) return "";
+  std::vector<double> finer;
+  if (here != values.begin()) finer.push_back(sweeps::rounded((here[-1] + *here) / 2));
+  finer.push_back(*here);
+  if (here + 1 != values.end()) finer.push_back(sweeps::rounded((*here + here[1]) / 2));
+  return fmt::format("[{}]", fmt::join(finer, ", "));
+}
+
+/// The axes of a grid about an impact that halve the steps of a sweep's.
+std::string finer_grid(const sweeps::Sweep& sweep, const ResultRow& about) {
+  std::string text;
+  for (const auto& [path, name, at] : {std::tuple(speed, "v_imp_cm_per_s", about.v_imp_cm_per_s),
+                                       std::tuple(angle, "theta_imp_deg", about.theta_imp_deg)}) {
+    const sweeps::Axis* axis = axis_of(sweep, path);
+    const std::string values = axis == nullptr ? "" : finer_values(*axis, at);
+    if (!values.empty())
+      text += fmt::format("{}\"{}\": {}", text.empty() ? "" : ", ", name, values);
+  }
+  return text;
+}
+
+void add_elongated_or_nearest(std::vector<NextStep>& steps, const TypedRun& run,
+                              const sweeps::Plan& plan, const std::vector<ResultRow>& results) {
+  const auto show = [&](const ResultRow& row) {
+    return "eerie show " + row.hash.substr(0, 8) + in_database(run);
+  };
+  const auto elongated =
+      std::ranges::find_if(results, [](const ResultRow& r) { return r.result.n_eer > 0; });
+  if (elongated != results.end()) {
+    steps.push_back({"look at an impact with an elongated remnant", show(*elongated)});
+    return;
+  }
+  const ResultRow* nearest = nullptr;
+  for (const ResultRow& row : results)
+    if (row.result.b_over_a &&
+        (nearest == nullptr || *row.result.b_over_a < *nearest->result.b_over_a))
+      nearest = &row;
+  if (nearest == nullptr) return;
+  steps.push_back(
+      {fmt::format("look at the nearest to an elongated remnant, b/a {:.2f} at {:g} "
+                   "cm/s and {:g} deg",
+                   *nearest->result.b_over_a, nearest->v_imp_cm_per_s, nearest->theta_imp_deg),
+       show(*nearest)});
+  if (const std::string grid = finer_grid(plan.sweep, *nearest); !grid.empty())
+    steps.push_back({"a finer grid about it, for the sweep file", grid});
+}
+
+/// A map of what was run. Several settings or mass ratios are drawn beside the database already.
+void add_map_and_facts(std::vector<NextStep>& steps, const TypedRun& run,
+                       const std::vector<ResultRow>& results) {
+  std::set<std::tuple<double, double, std::int64_t>> maps;
+  for (const ResultRow& row : results) maps.emplace(row.q, row.phi_d_deg, row.settings);
+  if (maps.size() == 1) {
+    const auto& [q, phi_d, settings] = *maps.begin();
+    steps.push_back(
+        {"draw a map of b/a", fmt::format("eerie map{} --q {} --phi-d {} --settings {} -o map.png",
+                                          in_database(run), q, phi_d, settings)});
+  }
+  steps.push_back({"hold it against the paper", "eerie check" + in_database(run)});
+}
+
+/// The same sweep one rung up, where the sweep leaves that free.
+void add_finer(std::vector<NextStep>& steps, const TypedRun& run, const sweeps::Plan& plan) {
+  const std::string& fidelity = plan.jobs.front().fidelity;
+  const bool one = std::ranges::all_of(
+      plan.jobs, [&](const db::NewJob& job) { return job.fidelity == fidelity; });
+  const std::string finer(one ? sweeps::rung_above(fidelity) : "");
+  if (finer.empty()) return;
+  const json settings = sweeps::settings_of(finer).flatten();
+  for (const auto& [pointer, ignored] : settings.items())
+    if (varies(plan.sweep, sweeps::dotted(pointer))) return;
+  TypedRun again = run;
+  again.changes.fidelity = finer;
+  if (const std::string command = command_of(again); !command.empty())
+    steps.push_back({"the same, finer", command});
+}
+
+}  // namespace
+
+std::string command_of(const TypedRun& run, const std::string& more) {
+  if (!text::is_named_file(run.sweep)) return "";
+  std::string command = "eerie run " + shell_word(run.sweep.string()) + in_database(run);
+  if (!run.changes.fidelity.empty()) command += " --fidelity " + run.changes.fidelity;
+  for (const std::string& change : run.changes.overrides) command += " --set " + shell_word(change);
+  for (const std::string& word : run.options) command += " " + shell_word(word);
+  return more.empty() ? command : command + " " + more;
+}
+
+std::vector<NextStep> next_steps(const TypedRun& run, const sweeps::Plan& plan,
+                                 const manager::Tally& tally,
+                                 const std::vector<ResultRow>& results) {
+  std::vector<NextStep> steps;
+  if (tally.paused > 0)
+    steps.push_back({"let the paused jobs go on", "eerie resume --all" + in_database(run)});
+  if (tally.left > 0) steps.push_back({"go on", command_of(run)});
+  if (tally.failed > 0)
+    steps.push_back({"try the failed jobs once more", command_of(run, "--retry-failed")});
+  steps.push_back(longer(run, plan, results));
+  if (!results.empty()) {
+    add_elongated_or_nearest(steps, run, plan, results);
+    add_map_and_facts(steps, run, results);
+    if (tally.left == 0) add_finer(steps, run, plan);
+  }
+  std::erase_if(steps, [](const NextStep& step) { return step.command.empty(); });
+  return steps;
+}
+
+std::string text_of(const std::vector<NextStep>& steps) {
+  std::string lines = steps.empty() ? "" : "\nnext:\n";
+  for (const NextStep& step : steps)
+    lines += fmt::format("  {}:\n    {}\n", step.purpose, text::plain_text(step.command));
+  return lines;
+}
+
+json to_json(const std::vector<NextStep>& steps) {
+  json list = json::array();
+  for (const NextStep& step : steps)
+    list.push_back({{"purpose", step.purpose}, {"command", step.command}});
+  return list;
+}
+
+}  // namespace eerie::overview
