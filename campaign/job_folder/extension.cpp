@@ -80,15 +80,16 @@ Scene extended_scene(const JobDirectory& finished, const Scene& scene, double un
                                  finished.result().string()));
   const db::Result& result = stored->result;
   state_before_end(finished, scene, result);
-  const double ended_at_s = result.ended_at_s.value_or(scene.end.time_s);
-  if (until_s <= ended_at_s)
-    throw InputError(fmt::format("--until = {:g}: it went on to {:.6g} s; give a later time",
-                                 until_s, ended_at_s));
+  const bool had_settled = result.end_reason == end_reason(run::EndReason::settled);
   const bool had_to_end = result.end_reason == end_reason(run::EndReason::latest_time);
-  const bool cut_off = result.end_reason == end_reason(run::EndReason::settled) &&
-                       scene.end.latest_s > scene.end.time_s;
+  const double latest_s = std::max(scene.end.time_s, scene.end.latest_s);
+  const double end_s = had_settled ? latest_s : result.ended_at_s.value_or(scene.end.time_s);
+  if (until_s <= end_s)
+    throw InputError(
+        fmt::format("--until = {:g}: its end is at {:.6g} s; give a later time", until_s, end_s));
+  const bool waits = had_to_end || (had_settled && scene.end.latest_s > scene.end.time_s);
   nlohmann::json document = to_json(scene);
-  document["end"][had_to_end || cut_off ? "latest_s" : "time_s"] = until_s;
+  document["end"][waits ? "latest_s" : "time_s"] = until_s;
   return parse_scene(document, "--until");
 }
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "campaign/manager/extend.hpp"
+#include "campaign/manager/requests/extend.hpp"
 #include "campaign/sweeps/plan.hpp"
 #include "campaign/sweeps/sweep.hpp"
 #include "campaign/text/json_file.hpp"

@@ -1,7 +1,6 @@
 #include "campaign/merging/job_files.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <set>
 
@@ -17,6 +16,19 @@ namespace {
 bool is_passing(const fs::path& file) {
   static const std::set<std::string> names = {"worker.lock", "heartbeat.json", "stop"};
   return names.contains(file.filename()) || file.extension() == ".tmp";
+}
+
+/// Whether a copy has been made before, by a merge that did not get to its end.
+bool holds_the_same(const fs::path& from, const fs::path& to) {
+  if (!fs::is_directory(to)) return false;
+  for (const auto& entry : fs::directory_iterator(from)) {
+    if (!entry.is_regular_file() || is_passing(entry.path())) continue;
+    const fs::path copy = to / entry.path().filename();
+    if (!fs::is_regular_file(copy) || fs::file_size(copy) != entry.file_size() ||
+        read_file(copy) != read_file(entry.path()))
+      return false;
+  }
+  return true;
 }
 
 /// Each file is flushed before it has its name.
@@ -54,13 +66,15 @@ bool transfer(const job_folder::JobDirectory& from, const job_folder::JobDirecto
   try {
     std::error_code ignored;
     if (!fs::is_directory(from.path, ignored)) return false;
-    if (fs::equivalent(from.path, to.path, ignored)) {
-      if (how == Transfer::link || !fs::is_symlink(fs::symlink_status(to.path))) return true;
-    }
+    const bool is_link = fs::is_symlink(fs::symlink_status(to.path));
+    if (fs::equivalent(from.path, to.path, ignored) && (how == Transfer::link || !is_link))
+      return true;
+    if (how == Transfer::copy && !is_link && holds_the_same(from.path, to.path)) return true;
     // Links lead to the folder itself, and not to another link.
     const fs::path origin = fs::canonical(from.path);
+    // One name, so that what a killed merge has left is removed: the target is locked.
     const fs::path made =
-        to.path.parent_path() / fmt::format(".{}.{}.tmp", to.path.filename().string(), ::getpid());
+        to.path.parent_path() / fmt::format(".{}.merging.tmp", to.path.filename().string());
     fs::remove_all(made);
     if (how == Transfer::link)
       fs::create_directory_symlink(origin, made);

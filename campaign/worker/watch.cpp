@@ -117,18 +117,19 @@ particles::Softening Watch::softening(const io::Snapshot& snapshot, const remnan
 bool Watch::end_matters(const io::Snapshot& snapshot, const run::LookQuestion& question) const {
   const Scene::Settled& settled = scene_.end.settled;
   const double seen = ending::horizon(scene_.end, snapshot.state.time), all = settled.horizon_s;
-  if (seen >= all) return false;
   const double mass = snapshot.state.mass * static_cast<double>(snapshot.state.size());
   const auto is_ahead = [&](double horizon) {
     return !ending::encounters(found_, mass, horizon, settled).empty();
   };
+  // A flight lasts until nothing is ahead, asked again on its way, where less time is left.
+  if (scene_.numerics.rigid_flight && ending::restlessness(looks_.rows(), settled).empty() &&
+      is_ahead(all))
+    return true;
+  if (seen >= all) return false;
   if (ending::unsteadiness(looks_.rows(), settled).empty() && is_ahead(seen) != is_ahead(all))
     return true;
-  if (question.may_soften && softening(snapshot, found_, seen) != softening(snapshot, found_, all))
-    return true;
-  // A flight lasts until nothing is ahead.
-  return scene_.numerics.rigid_flight && is_ahead(all) &&
-         ending::restlessness(looks_.rows(), settled).empty();
+  return question.may_soften &&
+         softening(snapshot, found_, seen) != softening(snapshot, found_, all);
 }
 
 }  // namespace eerie::worker

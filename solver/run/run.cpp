@@ -142,6 +142,7 @@ class Run {
   /// Asked at the start and after every cycle; looks at the remnants when a look is due and at the
   /// goals alone.
   std::optional<EndReason> reason_to_end() {
+    if (is_at_goal()) keep_before_end();  // the last cycle was made to end here
     if (looks_.pass(solver_.state().time) && options_.look) {
       const bool may_soften =
           scene_.numerics.late_sound_speed < 1 && !solver_.state().softening.is_calm;
@@ -154,13 +155,15 @@ class Run {
       if (auto* soften = std::get_if<Soften>(&answer)) go_on_softer(soften->to);
       if (auto* fly = std::get_if<Fly>(&answer)) land(std::move(fly->landing));
     }
+    if (!is_at_goal()) return std::nullopt;
+    keep_before_end();  // maybe a flight was made to end here
     const double now = solver_.state().time;
-    if (now < goal_ * (1 - Ending::rounding)) return std::nullopt;
-    keep_before_end();  // the last cycle was made to end here
     const auto reason = ending_.reason(now, [this] { return snapshot(); });
     if (!reason) goal_ = ending_.next(now);
     return reason;
   }
+
+  bool is_at_goal() const { return solver_.state().time >= goal_ * (1 - Ending::rounding); }
 
   /// Goes on with another state; the new solver keeps the old one's accounts.
   void go_on_with(particles::State state) {

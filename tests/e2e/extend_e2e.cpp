@@ -76,7 +76,7 @@ class Extended : public testing::Test {
     EXPECT_TRUE(fs::exists(whole)) << "another hash than that of the scene with the later end";
     if (!HasFailure()) expect_same_bytes(extended, whole);
     EXPECT_THAT(read_file(extended / "log.txt"), HasSubstr("going on from t = "));
-    const SQLite::Database sql(folder / "early.sqlite");
+    SQLite::Database sql(folder / "early.sqlite");
     EXPECT_EQ(sql.execAndGet("SELECT count(*) FROM results").getInt(), 2);
     EXPECT_EQ(sql.execAndGet("SELECT count(*) FROM sweep_jobs").getInt(), 2);
     const Ended doctor = eerie({"doctor", "--db", "early.sqlite"});
@@ -113,7 +113,7 @@ TEST_F(Extended, AnImpactThatWaitsForItsRemnantsHasTheBitsOfTheLongerOne) {
   json later = grazing;
   later["end"]["latest_s"] = 11000;
   expect_extended(ending(6000, grazing), ending(6000, later), "11000");
-  const SQLite::Database sql(folder / "early.sqlite");
+  SQLite::Database sql(folder / "early.sqlite");
   EXPECT_EQ(
       sql.execAndGet("SELECT count(*) FROM results WHERE end_reason = 'latest-time'").getInt(), 2);
 }
@@ -141,7 +141,7 @@ TEST_F(Extended, ByACommandThatIsKilledIsExtendedByTheNextOne) {
     EXPECT_EQ(eerie({"extend", "--all", "--until", "4000", "--db", "early.sqlite"}).code,
               128 + SIGKILL)
         << point;
-    const SQLite::Database sql(folder / "early.sqlite");
+    SQLite::Database sql(folder / "early.sqlite");
     EXPECT_EQ(sql.execAndGet("SELECT count(*) FROM jobs").getInt(), 1);
     if (std::string(point).starts_with("install.before-folder")) break;
   }
@@ -171,7 +171,7 @@ TEST_F(Extended, WhereItCannotBeIsRefusedWithTheReason) {
   run(ending(3000), "early.sqlite");
   const Ended earlier = eerie({"extend", "--all", "--until", "2000", "--db", "early.sqlite"});
   EXPECT_EQ(earlier.code, 2);
-  EXPECT_THAT(earlier.err, HasSubstr("it went on to 3000 s; give a later time"));
+  EXPECT_THAT(earlier.err, HasSubstr("its end is at 3000 s; give a later time"));
   fs::remove(test::job_directories(folder / "early.sqlite").at(0) / "before_end.hdf5");
   const Ended older = eerie({"extend", "--all", "--until", "4000", "--db", "early.sqlite"});
   EXPECT_EQ(older.code, 2);

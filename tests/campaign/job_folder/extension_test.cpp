@@ -59,10 +59,14 @@ TEST_F(Extension, IsRefusedWithTheReason) {
   };
   refused(9000, "result.json is missing");
   end_as(run::EndReason::end_time, {{"time_s", 5000}});
-  refused(5000, "it went on to 5000 s; give a later time");
+  refused(5000, "its end is at 5000 s; give a later time");
   refused(1e9, "end.time_s = 1000000000");
   end_as(run::EndReason::settled, {{"time_s", 9000}, {"settled", {{"window_s", 800}}}}, false);
   refused(20000, "it had settled at 5000 s, and with a later end it would end there all the same");
+  // What had settled because little time was left goes on, past the end that it had.
+  end_as(run::EndReason::settled, {{"time_s", 9000}, {"settled", {{"window_s", 800}}}});
+  refused(8000, "its end is at 9000 s; give a later time");
+  EXPECT_EQ(later(20000).end.time_s, 20000);
   end_as(run::EndReason::end_time, {{"time_s", 5000}}, false);
   refused(9000, "before_end.hdf5 is not there");
   end_as(run::EndReason::end_time, {{"time_s", 5000}});

@@ -38,6 +38,14 @@ TEST_F(JobFiles, ThatAreCopiedOutliveTheirOriginAndHaveNoLock) {
   EXPECT_EQ(read_file(ours.result()), "theirs");
 }
 
+TEST_F(JobFiles, ThatWereCopiedBeforeAreNotPutAside) {
+  fs::create_directories(folder / "b.jobs/.0123456789abcdef.merging.tmp");
+  for (int time = 0; time < 2; ++time) EXPECT_TRUE(transfer(theirs, ours, Transfer::copy));
+  std::size_t entries = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder / "b.jobs")) ++entries;
+  EXPECT_EQ(entries, 1u);
+}
+
 TEST_F(JobFiles, ALinkBecomesACopyWhereThatIsAskedFor) {
   EXPECT_TRUE(transfer(theirs, ours, Transfer::link));
   EXPECT_TRUE(transfer(theirs, ours, Transfer::copy));

@@ -46,7 +46,7 @@ class KilledMerge : public testing::Test {
   }
   /// Three jobs, each done, with files, and nothing to complain of.
   void expect_all_in(const char* database) {
-    const SQLite::Database sql(folder / database);
+    SQLite::Database sql(folder / database);
     EXPECT_EQ(sql.execAndGet("SELECT count(*) FROM results").getInt(), 3);
     EXPECT_EQ(sql.execAndGet("SELECT count(*) FROM jobs WHERE state = 'done'").getInt(), 3);
     const Ended doctor = eerie({"doctor", "--db", database});
@@ -58,7 +58,7 @@ class KilledMerge : public testing::Test {
 
 TEST_F(KilledMerge, LeavesTheTargetAsItWasAndTheNextOneCompletesIt) {
   const std::string before = content(folder / "a.sqlite");
-  for (const char* point : {"merge.before-commit", "install.before-rename"}) {
+  for (const char* point : {"install.before-rename", "merge.before-commit"}) {
     const Ended ended = killed_at(point, {"merge", "a.sqlite", "b.sqlite", "--copy"});
     EXPECT_EQ(ended.code, 128 + SIGKILL) << point;
     EXPECT_EQ(content(folder / "a.sqlite"), before) << point;

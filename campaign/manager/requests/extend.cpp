@@ -1,4 +1,4 @@
-#include "campaign/manager/extend.hpp"
+#include "campaign/manager/requests/extend.hpp"
 
 #include <fmt/format.h>
 
