@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "analysis/paper/impact_run.hpp"
 #include "analysis/remnants/outcome.hpp"
+#include "analysis/statistics/ensemble.hpp"
 #include "db/jobs/jobs.hpp"
 #include "db/views/query.hpp"
 #include "db/views/view.hpp"
@@ -41,15 +43,15 @@ db::ViewQuery at_point_of(const CatalogueImpact& impact) {
 /// Sums over the runs of one settings.
 struct Tally {
   std::vector<double> m_lr;
-  double m_slr = 0, b_over_a = 0;
-  std::size_t shapes = 0;
+  double m_slr = 0;
+  std::vector<double> b_over_a;
   std::map<std::string, std::size_t> classes;
 
   void add(const db::Result& r) {
     m_lr.push_back(r.m_lr_over_m_total);
     m_slr += r.m_slr_over_m_total;
     ++classes[r.outcome_class];
-    if (r.b_over_a) b_over_a += *r.b_over_a, ++shapes;
+    if (r.b_over_a) b_over_a.push_back(*r.b_over_a);
   }
   void finish(Comparison& c) const {
     const auto n = static_cast<double>(m_lr.size());
@@ -59,7 +61,8 @@ struct Tally {
     for (const double m : m_lr) squares += (m - c.m_lr_over_m_total) * (m - c.m_lr_over_m_total);
     if (c.runs > 1) c.m_lr_scatter = std::sqrt(squares / (n - 1));
     c.m_slr_over_m_total = m_slr / n;
-    if (shapes > 0) c.b_over_a = b_over_a / static_cast<double>(shapes);
+    const statistics::Ensemble shapes = statistics::ensemble(b_over_a);
+    c.b_over_a = mean_of(shapes), c.b_over_a_scatter = deviation_of(shapes);
     for (const auto& [name, count] : classes)
       if (count > c.of_class) c.outcome_class = name, c.of_class = count;
   }
@@ -76,6 +79,11 @@ bool has_bodies(const db::Connection& connection, std::int64_t job, const Catalo
 std::optional<double> Comparison::m_lr_difference() const {
   if (runs == 0 || !row->outcome.m_lr_over_m_total) return std::nullopt;
   return m_lr_over_m_total - *row->outcome.m_lr_over_m_total;
+}
+
+std::optional<double> Comparison::b_over_a_difference() const {
+  if (!b_over_a || !row->outcome.b_over_a) return std::nullopt;
+  return *b_over_a - *row->outcome.b_over_a;
 }
 
 std::vector<Comparison> compare(const db::Connection& connection, const Catalogue& catalogue) {
@@ -113,6 +121,14 @@ Field<Comparison> theirs(Column column, std::function<Value(const CatalogueRow&)
 
 text::Table table_of_comparisons(const std::vector<Comparison>& all) {
   using Row = CatalogueRow;
+  // Few catalogues have shapes; for the others people need no columns of them.
+  const bool has_shapes = std::ranges::any_of(
+      all, [](const Comparison& c) { return c.row->outcome.b_over_a.has_value(); });
+  const auto shape = [has_shapes](const char* name, const char* header, const char* pattern) {
+    Column column = both(name, header, pattern);
+    column.for_people = has_shapes;
+    return column;
+  };
   return text::table_of<Comparison>(
       {theirs(data("run_id"), [](const Row& r) { return r.run_id; }),
        theirs(shown("run"),
@@ -145,24 +161,34 @@ text::Table table_of_comparisons(const std::vector<Comparison>& all) {
               [](const Row& r) { return or_null(r.outcome.m_slr_over_m_total); }),
        ours(data("m_slr_over_m_total_ours"),
             [](const Comparison& c) { return c.m_slr_over_m_total; }),
-       theirs(data("b_over_a"), [](const Row& r) { return or_null(r.outcome.b_over_a); }),
-       {data("b_over_a_ours"), [](const Comparison& c) { return or_null(c.b_over_a); }}},
+       theirs(shape("b_over_a", "b/a", "{:.3f}"),
+              [](const Row& r) { return or_null(r.outcome.b_over_a); }),
+       {shape("b_over_a_ours", "b/a ours", "{:.3f}"),
+        [](const Comparison& c) { return or_null(c.b_over_a); }},
+       {shape("b_over_a_scatter", "+-", "{:.3f}"),
+        [](const Comparison& c) { return or_null(c.b_over_a_scatter); }},
+       {shape("b_over_a_difference", "difference", "{:+.3f}"),
+        [](const Comparison& c) { return or_null(c.b_over_a_difference()); }}},
       all);
 }
 
 Agreement agreement_of(const std::vector<Comparison>& all) {
   Agreement whole;
-  double squares = 0;
+  double squares = 0, shape_squares = 0;
   for (const Comparison& c : all) {
     if (c.runs == 0) ++whole.lacking;
     if (const auto difference = c.m_lr_difference())
       ++whole.masses, squares += *difference * *difference;
+    if (const auto difference = c.b_over_a_difference())
+      ++whole.shapes, shape_squares += *difference * *difference;
     const std::string& theirs = c.row->outcome.outcome_class;
     if (c.runs == 0 || !remnants::outcome_named(theirs)) continue;
     ++whole.classes;
     if (theirs == c.outcome_class) ++whole.same_class;
   }
   if (whole.masses > 0) whole.m_lr_rms = std::sqrt(squares / static_cast<double>(whole.masses));
+  if (whole.shapes > 0)
+    whole.b_over_a_rms = std::sqrt(shape_squares / static_cast<double>(whole.shapes));
   return whole;
 }
 

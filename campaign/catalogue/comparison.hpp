@@ -18,11 +18,13 @@ struct Comparison {
   std::string outcome_class = {};                        ///< the class of most runs
   std::size_t of_class = 0;                              ///< the number of runs with that class
   double m_lr_over_m_total = 0, m_slr_over_m_total = 0;  ///< means
-  double m_lr_scatter = 0;  ///< standard deviation of one run; 0 for a single one
-  std::optional<double> b_over_a = {};
+  double m_lr_scatter = 0;              ///< standard deviation of one run; 0 for a single one
+  std::optional<double> b_over_a = {};  ///< mean of the largest remnant
+  std::optional<double> b_over_a_scatter = {};  ///< of one run; nothing for fewer than two
 
-  /// The value of eerie minus that of the catalogue; nothing where one is missing.
+  // The values of eerie minus those of the catalogue; nothing where one is missing.
   std::optional<double> m_lr_difference() const;
+  std::optional<double> b_over_a_difference() const;
 };
 
 /// Compares every row of the catalogue, in its order, with each settings that have results of its
@@ -38,6 +40,8 @@ struct Agreement {
   std::size_t lacking = 0;  ///< rows without a result
   std::size_t masses = 0;   ///< rows whose largest masses can be compared
   double m_lr_rms = 0;      ///< root mean square of the differences of these masses
+  std::size_t shapes = 0;   ///< rows whose b/a can be compared
+  double b_over_a_rms = 0;  ///< root mean square of the differences of these
   std::size_t classes = 0,
               same_class = 0;  ///< rows whose classes can be compared; those with equal classes
 };

@@ -76,6 +76,10 @@ constexpr Command commands[] = {
      add_priority},
     {"wall-limit", "Limit the wall time of jobs", "  eerie wall-limit 2h --sweep table2-fig2b",
      add_wall_limit},
+    {"extend", "Let finished impacts go on to a later end, from where they were",
+     "  eerie extend 3f9a20c1 --until 60000\n"
+     "  eerie extend --sweep table2-fig2b --v 20 --theta 15 --until 2e5",
+     add_extend},
     {"status", "Count the jobs of each sweep, say what is left, group the failures",
      "  eerie status\n"
      "  eerie status --watch\n"
@@ -101,6 +105,11 @@ constexpr Command commands[] = {
      "  eerie doctor\n"
      "  eerie doctor --fix",
      add_doctor},
+    {"merge", "Put several databases into one, with nothing double",
+     "  eerie merge mine.sqlite theirs.sqlite\n"
+     "  eerie merge node1.sqlite node2.sqlite -o all.sqlite\n"
+     "  eerie merge node1.sqlite /mnt/stick/node2.sqlite -o all.sqlite --copy",
+     add_merge},
     {"query", "List results, remnants or points of the map",
      "  eerie query --eer\n"
      "  eerie query --phi-d 40 --v 18:22 --theta 15 --format csv\n"
@@ -108,6 +117,11 @@ constexpr Command commands[] = {
      "  eerie query --of remnants --where b_over_a=0:0.3 --sort=-mass_kg --limit 10\n"
      "  eerie query --of maps --columns v_imp_cm_per_s,theta_imp_deg,p_eer -o map.csv",
      add_query},
+    {"compare", "Say where two databases, or two settings, differ beyond the scatter of seeds",
+     "  eerie compare mine.sqlite theirs.sqlite\n"
+     "  eerie compare fig2b.sqlite --of survey --with standard\n"
+     "  eerie compare mine.sqlite theirs.sqlite --of fine --with 3 --format csv",
+     add_compare},
     {"catalogue", "Exchange impacts and outcomes with catalogues of collisions",
      "  eerie catalogue export --db fig2b.sqlite --fidelity survey -o fig2b.csv\n"
      "  eerie catalogue import published.csv -o published.json\n"

@@ -9,6 +9,7 @@
 #include <random>
 #include <set>
 
+#include "campaign/manager/requests/extend.hpp"
 #include "campaign/sweeps/plan.hpp"
 #include "campaign/sweeps/sweep.hpp"
 #include "campaign/text/json_file.hpp"
@@ -186,6 +187,7 @@ json to_json(const Request& r) {
     document["wall_limit_s"] = *r.wall_limit_s;
   else if (r.kind == "wall-limit")
     document["wall_limit_s"] = nullptr;  // none, which must be said
+  if (r.until_s) document["until_s"] = *r.until_s;
   return document;
 }
 
@@ -201,6 +203,7 @@ Request parse_request(const json& document, const std::string& where) {
     else
       r.selection = selection_of(members.take("selection"));
     if (submits || r.kind == "priority") r.priority = priority_of(members);
+    if (r.kind == "extend") r.until_s = members.number("until_s");
     if (r.kind == "wall-limit") {
       const json* limit = members.take("wall_limit_s");
       if (limit == nullptr) throw InputError("it lacks wall_limit_s: a number, or null for none");
@@ -217,10 +220,12 @@ Request parse_request(const json& document, const std::string& where) {
 }
 
 void require_usable(const Request& r) {
-  if (r.kind != "submit" &&
+  if (r.kind != "submit" && r.kind != "extend" &&
       std::ranges::none_of(changes, [&](const Change& c) { return c.kind == r.kind; }))
     throw InputError(fmt::format("there is no request of the kind \"{}\"", r.kind));
   if (r.kind == "priority" && !r.priority) throw InputError("it lacks a priority");
+  if (r.kind == "extend" && !(r.until_s.value_or(0) > 0))
+    throw InputError("it lacks until_s, a simulated time above 0 s");
   if (r.priority && std::abs(std::int64_t{*r.priority}) > most_priority)
     throw InputError(fmt::format("priority = {}: must be {}", *r.priority, priority_range));
   if (r.wall_limit_s && !(*r.wall_limit_s > 0 && *r.wall_limit_s <= longest_limit_s))
@@ -239,6 +244,7 @@ json apply(db::Connection& connection, const Request& request) {
   try {
     require_usable(request);
     if (request.kind == "submit") return submit(connection, request);
+    if (request.kind == "extend") return extend(connection, request);
     const auto* one =
         std::ranges::find_if(changes, [&](const Change& c) { return c.kind == request.kind; });
     return change(connection, request, *one);

@@ -13,12 +13,13 @@ namespace eerie::manager {
 /// A request of a user to the process that works on a database.
 struct Request {
   std::string id = {};  ///< a request is carried out once, even if it is read again
-  /// Submit, pause, resume, cancel, retry, rerun-stale, priority, wall-limit.
+  /// Submit, pause, resume, cancel, retry, rerun-stale, priority, wall-limit, extend.
   std::string kind = {};
   db::Selection selection = {};
   std::string sweep = {};  ///< for submit: the sweep as JSON
   std::optional<int> priority = {};
   std::optional<double> wall_limit_s = {};  ///< s; empty: no limit
+  std::optional<double> until_s = {};       ///< for extend: the later end, simulated time
 };
 
 nlohmann::json to_json(const Request& request);

@@ -61,6 +61,9 @@ run::RunOptions Watch::options(int threads, long max_steps,
   options.look = [this](const io::Snapshot& snapshot, const run::LookQuestion& question) {
     return look(snapshot, question);
   };
+  options.end_matters = [this](const io::Snapshot& snapshot, const run::LookQuestion& question) {
+    return end_matters(snapshot, question);
+  };
   options.will_meet = [this](const io::Snapshot& snapshot) {
     return remnants::will_meet(remnants::find_remnants(snapshot.state).remnants,
                                scene_.end.settled.fall_back);
@@ -71,11 +74,14 @@ run::RunOptions Watch::options(int threads, long max_steps,
 }
 
 run::LookAnswer Watch::look(const io::Snapshot& snapshot, const run::LookQuestion& question) {
-  const remnants::Remnants found = remnants::find_remnants(snapshot.state);
+  found_ = remnants::find_remnants(snapshot.state);
+  const remnants::Remnants& found = found_;
   looks_.add(ending::look(snapshot.state.time, found, scene_.end.settled));
   if (is_settled(snapshot, found)) return run::End{};
   if (question.may_soften)
-    if (const auto to = softening(snapshot, found); to != snapshot.state.softening)
+    if (const auto to =
+            softening(snapshot, found, ending::horizon(scene_.end, snapshot.state.time));
+        to != snapshot.state.softening)
       return run::Soften{to};
   if (scene_.numerics.rigid_flight)
     if (auto landing = ending::flight_from(snapshot, question.until, looks_.rows(), found,
@@ -92,11 +98,10 @@ bool Watch::is_settled(const io::Snapshot& snapshot, const remnants::Remnants& f
          ending::unsteadiness(looks_.rows(), scene_.end.settled).empty();
 }
 
-particles::Softening Watch::softening(const io::Snapshot& snapshot,
-                                      const remnants::Remnants& found) const {
+particles::Softening Watch::softening(const io::Snapshot& snapshot, const remnants::Remnants& found,
+                                      double horizon) const {
   const particles::Softening now = snapshot.state.softening;
   if (scene_.numerics.rigid_flight && ending::impact_ahead(found, scene_.end.settled)) return now;
-  const double horizon = ending::horizon(scene_.end, snapshot.state.time);
   const double late = scene_.numerics.late_sound_speed, sound = bulk_sound_speed(scene_);
   if (ending::liveliness(looks_.rows(), found, horizon, late * sound, scene_.end.settled).empty())
     return {late, true};
@@ -105,6 +110,26 @@ particles::Softening Watch::softening(const io::Snapshot& snapshot,
                                   step::flow_speed(snapshot));
   const double needed = fastest / (scene_.numerics.flow_mach * sound);
   return {std::min(now.sound_speed, power_of_half_from(std::max(needed, late))), false};
+}
+
+/// What is ahead counts up to the end of the run. More of it is seen where that is later, so an
+/// answer that is the same for the whole horizon is the same for every later end.
+bool Watch::end_matters(const io::Snapshot& snapshot, const run::LookQuestion& question) const {
+  const Scene::Settled& settled = scene_.end.settled;
+  const double seen = ending::horizon(scene_.end, snapshot.state.time), all = settled.horizon_s;
+  const double mass = snapshot.state.mass * static_cast<double>(snapshot.state.size());
+  const auto is_ahead = [&](double horizon) {
+    return !ending::encounters(found_, mass, horizon, settled).empty();
+  };
+  // A flight lasts until nothing is ahead, asked again on its way, where less time is left.
+  if (scene_.numerics.rigid_flight && ending::restlessness(looks_.rows(), settled).empty() &&
+      is_ahead(all))
+    return true;
+  if (seen >= all) return false;
+  if (ending::unsteadiness(looks_.rows(), settled).empty() && is_ahead(seen) != is_ahead(all))
+    return true;
+  return question.may_soften &&
+         softening(snapshot, found_, seen) != softening(snapshot, found_, all);
 }
 
 }  // namespace eerie::worker

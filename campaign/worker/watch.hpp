@@ -27,14 +27,18 @@ class Watch {
  private:
   run::LookAnswer look(const io::Snapshot& snapshot, const run::LookQuestion& question);
   bool is_settled(const io::Snapshot& snapshot, const remnants::Remnants& found) const;
-  particles::Softening softening(const io::Snapshot& snapshot,
-                                 const remnants::Remnants& found) const;
+  /// `horizon` is the time ahead for which encounters matter, s.
+  particles::Softening softening(const io::Snapshot& snapshot, const remnants::Remnants& found,
+                                 double horizon) const;
+  /// Whether the last look would have had another answer if the run might go on for longer.
+  bool end_matters(const io::Snapshot& snapshot, const run::LookQuestion& question) const;
 
   const Scene& scene_;
   job_folder::JobDirectory folder_;
   StopRequest stop_;
   job_folder::History history_;
   job_folder::RowLog<ending::RemnantLook> looks_;
+  remnants::Remnants found_;  ///< at the last look
 };
 
 }  // namespace eerie::worker

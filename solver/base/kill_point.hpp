@@ -8,7 +8,7 @@ namespace eerie {
 
 /// The places at which a test can kill the process, as a power cut or SIGKILL would. A test
 /// compares this table with the sources.
-inline constexpr std::array<std::string_view, 9> kill_point_names = {
+inline constexpr std::array<std::string_view, 11> kill_point_names = {
     "install.before-write",        // the temporary file does not exist
     "install.before-sync",         // the file is written, perhaps in memory only
     "install.before-rename",       // the file is on the disk under its temporary name
@@ -18,6 +18,8 @@ inline constexpr std::array<std::string_view, 9> kill_point_names = {
     "manager.before-commit",       // a worker has ended, the database does not know
     "manager.after-commit",        // the database knows, the manager's memory does not yet
     "inbox.before-remove",         // a request was carried out and still lies in the inbox
+    "merge.before-commit",         // job directories are in place, the database is as it was
+    "merge.before-install",        // a merged database is whole and has no name yet
 };
 inline constexpr bool is_kill_point(std::string_view name) {
   return std::ranges::find(kill_point_names, name) != kill_point_names.end();

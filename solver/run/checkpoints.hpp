@@ -12,6 +12,7 @@ namespace eerie::run {
 inline constexpr const char* checkpoint_file = "checkpoint.hdf5";
 inline constexpr const char* previous_checkpoint_file = "checkpoint_previous.hdf5";
 inline constexpr const char* final_file = "final.hdf5";
+inline constexpr const char* before_end_file = "before_end.hdf5";
 
 std::filesystem::path snapshot_path(const std::filesystem::path& directory, long number);
 

@@ -94,6 +94,7 @@ class Run {
         histories_(scene.output.history_interval_s, solver_.state().time),
         looks_(scene.end.settled.window_s / looks_per_window, solver_.state().time),
         last_good_(checkpoint()),
+        depends_on_end_(has_state_before_end()),
         ending_(scene.end, options.will_meet),
         goal_(ending_.next(solver_.state().time)) {}
 
@@ -110,6 +111,7 @@ class Run {
         end = RunEnd::stopped;
         break;
       }
+      keep_before_cycle();
       advance();
       over_ = reason_to_end();
       write_outputs();
@@ -140,26 +142,35 @@ class Run {
   /// Asked at the start and after every cycle; looks at the remnants when a look is due and at the
   /// goals alone.
   std::optional<EndReason> reason_to_end() {
+    if (is_at_goal()) keep_before_end();  // the last cycle was made to end here
     if (looks_.pass(solver_.state().time) && options_.look) {
       const bool may_soften =
           scene_.numerics.late_sound_speed < 1 && !solver_.state().softening.is_calm;
-      LookAnswer answer = options_.look(snapshot(), {may_soften, next_stop()});
+      const LookQuestion question{may_soften, next_stop()};
+      const io::Snapshot seen = snapshot();
+      LookAnswer answer = options_.look(seen, question);
+      if (!depends_on_end_ && options_.end_matters && options_.end_matters(seen, question))
+        keep_before_end();
       if (std::holds_alternative<End>(answer)) return EndReason::settled;
       if (auto* soften = std::get_if<Soften>(&answer)) go_on_softer(soften->to);
       if (auto* fly = std::get_if<Fly>(&answer)) land(std::move(fly->landing));
     }
+    if (!is_at_goal()) return std::nullopt;
+    keep_before_end();  // maybe a flight was made to end here
     const double now = solver_.state().time;
-    if (now < goal_ * (1 - Ending::rounding)) return std::nullopt;
     const auto reason = ending_.reason(now, [this] { return snapshot(); });
     if (!reason) goal_ = ending_.next(now);
     return reason;
   }
+
+  bool is_at_goal() const { return solver_.state().time >= goal_ * (1 - Ending::rounding); }
 
   /// Goes on with another state; the new solver keeps the old one's accounts.
   void go_on_with(particles::State state) {
     const StageTimes spent = solver_.stages();
     earlier_list_builds_ += solver_.list_builds();
     solver_ = step::Solver(scene_, std::move(state));
+    cycles_ = 0;
     for (std::size_t k = 0; k < stage_count; ++k) solver_.stages().seconds[k] += spent.seconds[k];
   }
 
@@ -184,6 +195,35 @@ class Run {
 
   void note(const std::string& text) const {
     if (options_.on_note) options_.on_note(text);
+  }
+
+  bool has_state_before_end() const {
+    const auto to_log = [this](const std::string& text) { note(text); };
+    return usable_checkpoint(options_.directory / before_end_file, scene_, to_log).has_value();
+  }
+
+  /// Copies the state where the run may depend on its end after the next cycle: where a look or a
+  /// goal is near, or where nothing is known yet of how long cycles are.
+  void keep_before_cycle() {
+    constexpr double cycles_ahead = 8;
+    constexpr long settled_in = 2;
+    const double now = solver_.state().time, near = cycles_ahead * (now - before_cycle_time_);
+    const bool is_near = std::min(goal_, looks_.next()) - now <= near;
+    before_cycle_time_ = now;
+    if (!depends_on_end_ && (is_near || cycles_ < settled_in))
+      before_cycle_ = checkpoint();
+    else
+      before_cycle_.reset();
+    ++cycles_;
+  }
+
+  /// The state before the first cycle that a run with a later end would not have made, or after
+  /// which it would have gone on otherwise, is installed.
+  void keep_before_end() {
+    if (depends_on_end_) return;
+    depends_on_end_ = true;
+    if (before_cycle_) io::write_snapshot(options_.directory / before_end_file, *before_cycle_);
+    before_cycle_.reset();
   }
 
   /// A cycle. Where it fails, the state of the last history row, which was sound, is installed.
@@ -235,6 +275,10 @@ class Run {
   step::Solver solver_;
   Schedule snapshots_, histories_, looks_;
   io::Snapshot last_good_;  ///< a checkpoint of the last history row
+  bool depends_on_end_;     ///< whether a run with a later end would have done otherwise
+  std::optional<io::Snapshot> before_cycle_ = {};  ///< a checkpoint before the last cycle
+  double before_cycle_time_ = 0;                   ///< time before the last cycle, s
+  long cycles_ = 0;  ///< since the start, or since matter got other moduli or landed
   Ending ending_;
   double goal_;                   ///< the run may end then, and is asked again
   long earlier_list_builds_ = 0;  ///< of solvers before this one

@@ -88,6 +88,9 @@ struct RunOptions {
   std::function<LookAnswer(const io::Snapshot&, const LookQuestion&)> look;
   /// Whether remnants will meet. Called from end.time_s on, where end.latest_s is later.
   std::function<bool(const io::Snapshot&)> will_meet;
+  /// Whether the answer of look() is another one where the run may go on for longer. Called after
+  /// look(), with what that was asked, until it is true.
+  std::function<bool(const io::Snapshot&, const LookQuestion&)> end_matters;
   /// Called after every cycle, also of settling bodies. Where it is true the run writes a
   /// checkpoint and returns.
   std::function<bool()> stop;
@@ -98,9 +101,10 @@ struct RunOptions {
 /// `directory` of the same scene and solver version (run/checkpoints.hpp). A run that is stopped
 /// while its bodies come to rest is at time 0 and step 0; it continues too. snapshot_0000.hdf5 is
 /// the state at time 0. final.hdf5 is the last state and also a checkpoint. The same scene gives
-/// the same bits for any number of threads and of interruptions. Throws NumericalError after it has
-/// written last_good.hdf5, a checkpoint of the last history row before the failure. A run continues
-/// from that once it is copied over checkpoint.hdf5. Throws EnvironmentError.
+/// the same bits for any number of threads and of interruptions. before_end.hdf5 is a checkpoint of
+/// the last cycle that a run with a later end would have made as well. Throws NumericalError after
+/// it has written last_good.hdf5, a checkpoint of the last history row before the failure. A run
+/// continues from that once it is copied over checkpoint.hdf5. Throws EnvironmentError.
 RunSummary run_impact(const Scene& scene, const RunOptions& options);
 
 }  // namespace eerie::run

@@ -128,6 +128,7 @@ TEST_F(Exchange, ACatalogueGoesOutAndComesBackAsTheSameJobs) {
   EXPECT_EQ(again.at("new"), 0);
   const Ended beside = ask({"catalogue", "compare", "ours.csv", "-o", "beside.csv"});
   EXPECT_THAT(beside.out, HasSubstr("the class is the same in 6 of 6")) << beside.err;
+  EXPECT_THAT(beside.out, HasSubstr("b/a differs by 0.000 (root mean square of 6)"));
   EXPECT_THAT(read_file(folder / "beside.csv"), testing::StartsWith("run_id,line,v_imp_cm_per_s"));
 }
 

@@ -57,6 +57,8 @@ class EveryCommand : public testing::Test {
     for (const Words& words :
          {Words{"run", "sweep.json", "--db", "run.sqlite"},
           Words{"solve", "scene.json", "--out", "impact"},
+          Words{"merge", "impacts.sqlite", "-o", "merged.sqlite"},
+          Words{"merge", "run.sqlite", "-o", "extended.sqlite", "--copy"},
           Words{"catalogue", "export", "--db", "impacts.sqlite", "-o", "catalogue.csv"},
           Words{"converge", "converge.json", "-o", "converge", "--db", "studies.sqlite"},
           Words{"chart", "chart.json", "-o", "chart.svg", "--db", "studies.sqlite"}}) {
@@ -93,6 +95,9 @@ class EveryCommand : public testing::Test {
             {"lightcurve", "impact/final.hdf5"},
             {"log", job, "--db", "run.sqlite"},
             {"doctor", "--db", "run.sqlite"},
+            {"merge", "merged.sqlite", "impacts.sqlite"},
+            {"compare", "impacts.sqlite", "merged.sqlite"},
+            {"extend", job, "--until", "600", "--db", "extended.sqlite"},
             {"query", "--db", "impacts.sqlite"},
             {"query", "--db", "impacts.sqlite", "--of", "remnants"},
             {"query", "--db", "impacts.sqlite", "--of", "maps", "--format", "csv"},
@@ -116,7 +121,7 @@ class EveryCommand : public testing::Test {
             {"--version"}};
   }
 
-  void SetUp() override { ASSERT_EQ(prepared, 5); }
+  void SetUp() override { ASSERT_EQ(prepared, 7); }
 
   static inline test::TemporaryFolder* folder = nullptr;
   static inline std::string job;

@@ -10,12 +10,12 @@ using AddCommand = Action(CLI::App& app);
 
 AddCommand add_run, add_expand, add_solve, add_analyse;
 AddCommand add_daemon, add_submit, add_pause, add_resume, add_cancel, add_retry, add_priority,
-    add_wall_limit;
+    add_wall_limit, add_extend;
 AddCommand add_status, add_serve, add_log, add_show, add_query, add_catalogue, add_sizes,
     add_doctor;
 AddCommand add_converge, add_chart, add_threshold, add_check, add_odds, add_disk, add_lightcurve,
     add_map;
-AddCommand add_init, add_help, add_manual, add_fidelities;
+AddCommand add_init, add_help, add_manual, add_fidelities, add_merge, add_compare;
 AddCommand add_worker, add_slurm_task;  // hidden
 
 }  // namespace eerie::cli

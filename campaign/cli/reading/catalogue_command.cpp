@@ -81,6 +81,9 @@ void add_summary(Answer& answer, const std::vector<Comparison>& all, const Catal
   answer.say("\n");
   if (whole.masses > 0)
     answer.say("M_lr/M differs by {:.3f} (root mean square of {})\n", whole.m_lr_rms, whole.masses);
+  if (whole.shapes > 0)
+    answer.say("b/a differs by {:.3f} (root mean square of {})\n", whole.b_over_a_rms,
+               whole.shapes);
   if (whole.classes > 0)
     answer.say("the class is the same in {} of {}\n", whole.same_class, whole.classes);
   if (whole.lacking > 0)

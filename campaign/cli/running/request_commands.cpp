@@ -1,3 +1,5 @@
+#include <map>
+
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/files.hpp"
 #include "campaign/manager/inbox.hpp"
@@ -64,6 +66,37 @@ std::shared_ptr<ChangeArguments> add_change(CLI::App& app) {
   return a;
 }
 
+/// What was refused, by the reason, with an example each.
+void add_refused(Answer& answer, const json& refused) {
+  std::map<std::string, std::vector<std::string>> by_reason;
+  for (const json& one : refused)
+    by_reason[one.at("reason").get<std::string>()].push_back(one.at("job").get<std::string>());
+  for (const auto& [reason, jobs] : by_reason)
+    answer.warn(fmt::format("{} not extended ({}{}): {}", count_of(jobs.size(), "job"),
+                            jobs.front().substr(0, 8), jobs.size() > 1 ? ", ..." : "", reason));
+}
+
+Answer extend(const ChangeArguments& a, double until_s) {
+  manager::Request request{.kind = "extend", .until_s = until_s};
+  request.selection = queries::selection_of(a.selection, request.kind);
+  require_database(a.database);
+  const auto told = ask(a.database, request);
+  Answer answer;
+  answer.data = told.value_or(json{{"jobs", nullptr}});
+  if (!told) {
+    answer.say("the manager at work is busy; it will do it\n");
+    return answer;
+  }
+  answer.say("{} to {:g} s\n", count_of(told->at("jobs").get<std::size_t>(), "job") + " will go on",
+             until_s);
+  for (const json& job : told->at("extended"))
+    answer.say("  {} goes on as {} from {:.0f} s\n", job.at("job").get<std::string>().substr(0, 16),
+               job.at("as").get<std::string>().substr(0, 16), job.at("from_s").get<double>());
+  answer.say("a daemon at work runs them, or `eerie daemon --db {} --until-idle`\n", a.database);
+  add_refused(answer, told->at("refused"));
+  return answer;
+}
+
 struct SubmitArguments {
   fs::path sweep, database;
   SceneChanges changes;
@@ -117,6 +150,13 @@ Action add_resume(CLI::App& app) {
 
 Action add_cancel(CLI::App& app) {
   return [a = add_change(app)](Output&) { return change(*a, {.kind = "cancel"}, "cancelled"); };
+}
+
+Action add_extend(CLI::App& app) {
+  auto a = add_change(app);
+  auto until = std::make_shared<double>(0);
+  app.add_option("--until", *until, "the later end, simulated time, s")->required();
+  return [a, until](Output&) { return extend(*a, *until); };
 }
 
 Action add_retry(CLI::App& app) {

@@ -246,6 +246,8 @@ TEST_F(CatalogueOfResults, IsComparedWithTheRunsAtItsPoints) {
     EXPECT_EQ(c.runs, c.row->impact.q == 0.5 ? 1u : 2u);
     EXPECT_EQ(c.outcome_class, "perfect-merging");
     EXPECT_NEAR(c.m_lr_difference().value(), 0, 1e-8);
+    EXPECT_NEAR(c.b_over_a_difference().value(), 0, 1e-8);
+    EXPECT_EQ(c.b_over_a_scatter.has_value(), c.runs > 1);
   }
   // Other bodies at the same speed and angle are not the same impact.
   Catalogue heavier = catalogue;
@@ -253,7 +255,20 @@ TEST_F(CatalogueOfResults, IsComparedWithTheRunsAtItsPoints) {
   for (const Comparison& c : compare(connection, heavier)) {
     EXPECT_EQ(c.runs, 0u);
     EXPECT_EQ(c.m_lr_difference(), std::nullopt);
+    EXPECT_EQ(c.b_over_a_difference(), std::nullopt);
   }
+}
+
+TEST_F(CatalogueOfResults, OfOtherShapesDiffersByTheirRootMeanSquare) {
+  Catalogue catalogue = read(catalogue_csv(connection, {}));
+  catalogue.rows.resize(2);
+  catalogue.rows[0].outcome.b_over_a = catalogue.rows[0].outcome.b_over_a.value() - 0.3;
+  catalogue.rows[1].outcome.b_over_a = catalogue.rows[1].outcome.b_over_a.value() + 0.4;
+  const Agreement whole = agreement_of(compare(connection, catalogue));
+  EXPECT_EQ(whole.shapes, 2u);
+  EXPECT_NEAR(whole.b_over_a_rms, std::sqrt((0.09 + 0.16) / 2), 1e-8);
+  for (CatalogueRow& row : catalogue.rows) row.outcome.b_over_a.reset();
+  EXPECT_EQ(agreement_of(compare(connection, catalogue)).shapes, 0u);
 }
 
 TEST_F(CatalogueOfResults, HasTheColumnsThatCataloguesShareFirst) {
