@@ -3,7 +3,7 @@
 BUILD ?= build
 JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
-.PHONY: help run build test validate reference bench scale settled results test-faults sanitize odr fuzz format tidy install deb test-deb clean packages-run packages-test packages-fuzz packages-deb
+.PHONY: help run build test validate reference gallery bench scale settled results test-faults sanitize odr fuzz format tidy install deb test-deb clean packages-run packages-test packages-fuzz packages-deb
 FUZZ_SECONDS ?= 600
 PREFIX ?= /usr/local
 
@@ -32,6 +32,9 @@ validate: packages-test  ## run the long physics (up to an hour) and write two p
 
 reference: build  ## write the tables of docs/reference anew, from the program and the schema
 	@docs/reference/make.py $(BUILD)/eerie
+
+gallery: build  ## draw every kind of figure anew (five minutes): docs/gallery.md
+	@docs/gallery/make.py $(BUILD)/eerie $(BUILD)/gallery
 
 bench: packages-test  ## time steps and stages (5 minutes); BASELINE=FILE: ratios to an earlier bench.json
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_BENCHMARKS=ON

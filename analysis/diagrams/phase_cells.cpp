@@ -4,14 +4,9 @@
 
 #include <algorithm>
 
-#include "analysis/remnants/outcome.hpp"
-#include "analysis/remnants/remnants.hpp"
-
 namespace eerie::diagrams {
 
 namespace {
-
-constexpr double value_size = 6;
 
 /// Of lines over a fill.
 drawing::Colour over(drawing::Colour fill) {
@@ -51,11 +46,15 @@ void stale(drawing::Canvas& canvas, const drawing::Area& area, drawing::Colour f
   canvas.rule(area, over(fill), distance);
 }
 
-void smaller_eer(drawing::Canvas& canvas, const drawing::Area& area) {
+drawing::Area corner_of(const drawing::Area& area) {
   const double side = std::min({6.0, area.width() / 2, area.height() / 2});
-  const drawing::Point corner = area.high;
-  const drawing::Point left{corner.x - side, corner.y}, down{corner.x, corner.y - side};
-  canvas.polygon({corner, left, down}, eer);
+  return {{area.high.x - side, area.high.y - side}, area.high};
+}
+
+void smaller_eer(drawing::Canvas& canvas, const drawing::Area& area) {
+  const drawing::Area corner = corner_of(area);
+  const drawing::Point left{corner.low.x, corner.high.y}, down{corner.high.x, corner.low.y};
+  canvas.polygon({corner.high, left, down}, eer);
   canvas.line(left, down, {255, 255, 255}, 0.6);  // it may lie on blue
 }
 
@@ -65,7 +64,10 @@ void in_doubt(drawing::Canvas& canvas, const drawing::Area& area) {
 }
 
 std::string basis(const PhaseCell& cell) {
-  const char letter = cell.fidelity == "sketch" ? 'k' : cell.fidelity == "survey" ? 'v' : 'p';
+  const bool initial_is_taken = cell.fidelity == "sketch" || cell.fidelity == "survey";
+  const char letter = !initial_is_taken           ? cell.fidelity.front()
+                      : cell.fidelity == "sketch" ? 'k'
+                                                  : 'v';
   return fmt::format("{}{}", letter, cell.seeds);
 }
 
@@ -73,80 +75,63 @@ std::string basis(const PhaseCell& cell) {
 
 namespace {
 
-bool fits(const std::string& words, double size, const drawing::Area& area) {
-  return drawing::text_width(drawing::in_quotes(words), size) + 1 <= area.width();
-}
-
-/// "0.24", ".24" where that has no room, or nothing.
-std::string value_text(MapQuantity quantity, double value, const drawing::Area& area) {
-  std::string words = value_words(quantity, value);
-  if (!fits(words, value_size, area))
-    words = words.starts_with("0.") ? words.substr(1) : words == "1.00" ? "1" : words;
-  return fits(words, value_size, area) ? words : "";
-}
-
-/// Class, "?" where remnants will meet again, and what the result rests on where cells differ.
-std::string letter_text(const PhaseCell& cell, const drawing::Area& area) {
-  const auto row =
-      std::ranges::find(remnants::outcome_names, cell.outcome, &remnants::OutcomeName::name);
-  std::string words(row->short_name);
-  if (cell.state == CellState::unsettled) words += "?";
-  if (!cell.fidelity.empty()) words += " " + map_mark::basis(cell);
-  return fits(words, map_mark::letter_size, area) ? words : "";
-}
-
-/// Words on a patch of the cell's colour, so that the curve does not run through them.
-void cell_text(drawing::Canvas& canvas, drawing::Point at, const std::string& words, double size,
-               drawing::Colour fill, bool bold) {
-  if (words.empty()) return;
-  const drawing::Quoted shown = drawing::in_quotes(words);
-  const double half_width = drawing::text_width(shown, size) / 2 + 0.3, half_height = 0.55 * size;
+/// Words on a patch of the cell's colour, so that neither hatches nor the curve run through them.
+void cell_text(drawing::Canvas& canvas, drawing::Point at, const CellLine& line,
+               drawing::Colour fill) {
+  const double half_width = line.width() / 2, half_height = line.height() / 2;
   canvas.patch({{at.x - half_width, at.y - half_height}, {at.x + half_width, at.y + half_height}},
                fill);
-  canvas.text(at, shown, {.size = size, .colour = drawing::text_colour(fill), .bold = bold});
+  canvas.text(at, drawing::in_quotes(line.text),
+              {.size = line.size, .colour = drawing::text_colour(fill), .bold = line.bold});
 }
 
-struct Words {
-  std::string text;
-  double size = value_size;
-  bool bold = false;
+/// What a panel's cells share.
+struct CellLook {
+  const PanelFrame& frame;
+  const MapScale& scale;
+  const CellWords& words;
 };
 
-/// Two lines where the place is high enough, else the first that is not empty.
-void draw_words(drawing::Canvas& canvas, const drawing::Area& area, drawing::Colour fill,
-                const Words& upper, const Words& lower) {
-  const drawing::Point middle = area.centre();
-  const double lift = std::min(area.height() / 4, 4.5);
-  if (!upper.text.empty() && !lower.text.empty() && 2 * lift > 7) {
-    cell_text(canvas, {middle.x, middle.y + lift}, upper.text, upper.size, fill, upper.bold);
-    cell_text(canvas, {middle.x, middle.y - lift}, lower.text, lower.size, fill, lower.bold);
-    return;
-  }
-  const Words& only = upper.text.empty() ? lower : upper;
-  if (area.height() > only.size) cell_text(canvas, middle, only.text, only.size, fill, only.bold);
+/// The lines of a cell that have room in it, from the top down.
+std::vector<CellLine> lines_of(const drawing::Area& area, const PhaseCell& cell,
+                               const CellLook& look) {
+  const CellWords& words = look.words;
+  const MapQuantity quantity = look.scale.quantity;
+  const std::optional<double> value = value_of(quantity, cell);
+  const CellLine letter{words.letters ? letter_words(cell) : "", words.letter_size, true};
+  std::vector<CellLine> lines;
+  if (quantity == MapQuantity::outcome)
+    lines = {letter,
+             {cell.class_share < 1 ? fmt::format("{:.0f}%", 100 * cell.class_share) : "",
+              words.letter_size - 0.5}};
+  else
+    lines = {{!words.numbers ? ""
+              : value        ? number_words(quantity, *value, words.short_numbers)
+                             : "–",
+              words.number_size},
+             letter};
+  std::erase_if(lines, [&](const CellLine& line) {
+    return line.text.empty() || line.width() > area.width() || line.height() > area.height();
+  });
+  if (lines.size() == 2 && lines[0].height() + lines[1].height() > area.height()) lines.pop_back();
+  return lines;
 }
 
 void draw_result(drawing::Canvas& canvas, const drawing::Area& area, const PhaseCell& cell,
-                 const MapScale& scale) {
-  const bool of_class = scale.quantity == MapQuantity::outcome;
+                 const CellLook& look) {
+  const MapScale& scale = look.scale;
   const std::optional<double> value = value_of(scale.quantity, cell);
-  const drawing::Colour fill = of_class ? outcome_colour(cell.outcome)
-                               : value  ? scale.colour(*value)
-                                        : map_mark::pale;
+  const drawing::Colour fill = scale.quantity == MapQuantity::outcome ? outcome_colour(cell.outcome)
+                               : value                                ? scale.colour(*value)
+                                                                      : map_mark::pale;
   canvas.fill(area, fill);
   if (cell.stale) map_mark::stale(canvas, area, fill);
   if (cell.state == CellState::unsettled) map_mark::unsettled(canvas, area, fill);
   if (cell.smaller_eer) map_mark::smaller_eer(canvas, area);
-  const Words letter{letter_text(cell, area), map_mark::letter_size, true};
-  if (!of_class) {
-    draw_words(canvas, area, fill, {value ? value_text(scale.quantity, *value, area) : "–"},
-               letter);
-    return;
-  }
-  Words share{"", value_size - 1};
-  if (cell.class_share < 1) share.text = fmt::format("{:.0f}%", 100 * cell.class_share);
-  if (!fits(share.text, share.size, area)) share.text.clear();
-  draw_words(canvas, area, fill, letter, share);
+  const std::vector<CellLine> lines = lines_of(area, cell, look);
+  const auto corner = cell.smaller_eer ? std::optional(map_mark::corner_of(area)) : std::nullopt;
+  const auto places = places_of_words(area, lines, look.frame, look.words.curve, corner);
+  for (std::size_t k = 0; k < lines.size(); ++k) cell_text(canvas, places[k], lines[k], fill);
 }
 
 }  // namespace
@@ -169,7 +154,7 @@ drawing::Area CellGrid::area(const PanelFrame& frame, std::size_t i, std::size_t
 }
 
 void draw_cells(drawing::Canvas& canvas, const CellGrid& grid, const PanelFrame& frame,
-                const MapScale& scale) {
+                const MapScale& scale, const CellWords& words) {
   for (std::size_t j = 0; j < grid.theta.at.size(); ++j)
     for (std::size_t i = 0; i < grid.v.at.size(); ++i) {
       const drawing::Area area = grid.area(frame, i, j);
@@ -177,7 +162,7 @@ void draw_cells(drawing::Canvas& canvas, const CellGrid& grid, const PanelFrame&
       if (cell == nullptr)
         map_mark::missing(canvas, area);
       else if (cell->has_result())
-        draw_result(canvas, area, *cell, scale);
+        draw_result(canvas, area, *cell, {frame, scale, words});
       else if (cell->state == CellState::failed)
         map_mark::failed(canvas, area);
       else

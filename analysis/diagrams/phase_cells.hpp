@@ -2,6 +2,7 @@
 
 #include "analysis/diagrams/map_quantity.hpp"
 #include "analysis/diagrams/phase_diagram.hpp"
+#include "analysis/diagrams/phase_words.hpp"
 #include "analysis/drawing/canvas.hpp"
 #include "analysis/statistics/map_axis.hpp"
 
@@ -14,7 +15,6 @@ inline constexpr drawing::Colour grey{0x9a, 0x9a, 0x9a};
 inline constexpr drawing::Colour pale{0xf2, 0xf2, 0xf2};
 inline constexpr drawing::Colour failure{0xb0, 0x1e, 0x3c};
 inline constexpr drawing::Colour eer{0x14, 0x4f, 0xa8};
-inline constexpr double letter_size = 5.5;
 
 void missing(drawing::Canvas& canvas, const drawing::Area& area);
 void pending(drawing::Canvas& canvas, const drawing::Area& area);
@@ -27,10 +27,12 @@ void stale(drawing::Canvas& canvas, const drawing::Area& area, drawing::Colour f
            double distance = 4);
 /// Draws a blue corner: some remnant other than the largest is an EER.
 void smaller_eer(drawing::Canvas& canvas, const drawing::Area& area);
+/// Where that corner lies.
+drawing::Area corner_of(const drawing::Area& area);
 /// Draws a heavy frame.
 void in_doubt(drawing::Canvas& canvas, const drawing::Area& area);
-/// The word for fidelity and number of runs: "v4" means four surveys; k is sketch, v survey, p
-/// paper.
+/// The word for fidelity and number of runs: "v4" means four surveys; k is sketch, s standard, f
+/// fine, p paper.
 std::string basis(const PhaseCell& cell);
 }  // namespace map_mark
 
@@ -57,6 +59,6 @@ struct CellGrid {
 
 /// Draws fills, marks and words of all cells. It leaves out words that do not fit into their cell.
 void draw_cells(drawing::Canvas& canvas, const CellGrid& grid, const PanelFrame& frame,
-                const MapScale& scale);
+                const MapScale& scale, const CellWords& words = {});
 
 }  // namespace eerie::diagrams

@@ -6,13 +6,15 @@
 #include <cmath>
 #include <span>
 
+#include "analysis/drawing/grouped.hpp"
+
 namespace eerie::diagrams {
 
 namespace {
 
 // All in points; 255 points are 9 cm, 525 are 18.5 cm.
 constexpr double column_width = 255, whole_width = 525;
-constexpr double left = 32, beside_none = 10, between = 9;
+constexpr double left = 34, beside_none = 10, between = 9;
 constexpr double page_title = 14, panel_title = 11, axis_above = 22, axis_below = 24, below = 5;
 constexpr double longest_bar = 180;
 
@@ -27,12 +29,8 @@ double panel_height(std::size_t panels) { return panels == 1 ? 150 : panels <= 8
 drawing::Quoted of_settings(const PhaseDiagram& d) {
   if (d.particles_per_target == 0) return {};
   return drawing::in_quotes(fmt::format("{}{}{} particles per target", d.fidelity,
-                                        d.fidelity.empty() ? "" : ": ", d.particles_per_target));
-}
-
-// The spaces beside subscripts do not break: SVG viewers drop ordinary ones.
-drawing::Quoted of_point(const PhaseDiagram& d) {
-  return drawing::marked_up("q = {:g},  φ_d\u00a0= {:g}°", d.q, d.phi_d_deg);
+                                        d.fidelity.empty() ? "" : ": ",
+                                        drawing::grouped(d.particles_per_target)));
 }
 
 drawing::Quoted joined(const drawing::Quoted& a, const drawing::Quoted& b) {
@@ -46,20 +44,45 @@ bool curves_differ(const PhaseFigure& figure) {
   });
 }
 
+PanelFrame frame_of(const PhaseDiagram& diagram) {
+  const CellGrid grid(diagram);
+  return {grid.v.edges.front(),
+          grid.v.edges.back(),
+          grid.theta.edges.front(),
+          grid.theta.edges.back(),
+          {}};
+}
+
 /// Borders that hold the cells of all diagrams.
 PanelFrame common_frame(const PhaseFigure& figure) {
-  PanelFrame frame{1e300, -1e300, 1e300, -1e300, {}};
+  PanelFrame frame = frame_of(figure.diagrams.front());
   for (const PhaseDiagram& diagram : figure.diagrams) {
-    const CellGrid grid(diagram);
-    frame.v_low = std::min(frame.v_low, grid.v.edges.front());
-    frame.v_high = std::max(frame.v_high, grid.v.edges.back());
-    frame.theta_low = std::min(frame.theta_low, grid.theta.edges.front());
-    frame.theta_high = std::max(frame.theta_high, grid.theta.edges.back());
+    const PanelFrame one = frame_of(diagram);
+    frame.v_low = std::min(frame.v_low, one.v_low);
+    frame.v_high = std::max(frame.v_high, one.v_high);
+    frame.theta_low = std::min(frame.theta_low, one.theta_low);
+    frame.theta_high = std::max(frame.theta_high, one.theta_high);
   }
   return frame;
 }
 
-std::vector<PhasePanel> panels_of(const PhaseFigure& figure) {
+/// Common axes would leave more than a third of some panel blank.
+bool axes_differ(const PhaseFigure& figure) {
+  const auto size = [](const PanelFrame& f) {
+    return (f.v_high - f.v_low) * (f.theta_high - f.theta_low);
+  };
+  const double common = size(common_frame(figure));
+  return std::ranges::any_of(
+      figure.diagrams, [&](const PhaseDiagram& d) { return size(frame_of(d)) < 0.65 * common; });
+}
+
+/// Letters stand once in a figure: in the panel of classes, else in the first.
+bool has_letters(const PhaseFigure& figure, MapQuantity quantity) {
+  const bool classes = std::ranges::count(figure.quantities, MapQuantity::outcome) > 0;
+  return quantity == (classes ? MapQuantity::outcome : figure.quantities.front());
+}
+
+std::vector<PhasePanel> panels_of(const PhaseFigure& figure, bool own_axes) {
   std::vector<PhaseCell> cells;
   for (const PhaseDiagram& d : figure.diagrams)
     cells.insert(cells.end(), d.cells.begin(), d.cells.end());
@@ -68,10 +91,11 @@ std::vector<PhasePanel> panels_of(const PhaseFigure& figure) {
     for (const PhaseDiagram& d : figure.diagrams) {
       PhasePanel panel;
       panel.diagram = &d, panel.scale = map_scale(quantity, cells);
-      panel.frame = common_frame(figure);
+      panel.frame = own_axes ? frame_of(d) : common_frame(figure);
+      panel.letters = has_letters(figure, quantity);
       panel.bar = quantity != MapQuantity::outcome && figure.diagrams.size() == 1;
       if (figure.diagrams.size() > 1) {
-        panel.title = of_point(d);
+        panel.title = name_of_place(d);
         if (curves_differ(figure) && d.threshold_cm_per_s)
           panel.title =
               panel.title + drawing::marked_up(",  v sin θ = {:g} cm/s", *d.threshold_cm_per_s);
@@ -92,6 +116,11 @@ double bar_title_distance(const MapScale& scale) {
   return 8 + widest;
 }
 
+// The spaces beside subscripts do not break: SVG viewers drop ordinary ones.
+drawing::Quoted name_of_place(const PhaseDiagram& d) {
+  return drawing::marked_up("q = {:g},  φ_d\u00a0= {:g}°", d.q, d.phi_d_deg);
+}
+
 double phase_page_width(const PhaseFigure& figure) {
   return columns_of(panel_count(figure)) == 1 ? column_width : whole_width;
 }
@@ -99,12 +128,13 @@ double phase_page_width(const PhaseFigure& figure) {
 PhaseLayout phase_layout(const PhaseFigure& figure, double legend_height) {
   PhaseLayout page;
   page.width = phase_page_width(figure);
-  page.panels = panels_of(figure);
+  page.own_axes = axes_differ(figure);
+  page.panels = panels_of(figure, page.own_axes);
   const std::size_t count = page.panels.size(), columns = columns_of(count),
                     rows = (count + columns - 1) / columns;
   const PhaseDiagram& first = figure.diagrams.front();
-  page.title =
-      figure.diagrams.size() > 1 ? of_settings(first) : joined(of_point(first), of_settings(first));
+  page.title = figure.diagrams.size() > 1 ? of_settings(first)
+                                          : joined(name_of_place(first), of_settings(first));
   page.shared_bar = figure.diagrams.size() > 1 && figure.quantities.front() != MapQuantity::outcome;
   const bool bars = std::ranges::any_of(page.panels, &PhasePanel::bar);
   const bool speeds_differ = std::ranges::any_of(figure.diagrams, [&](const PhaseDiagram& d) {
@@ -115,7 +145,7 @@ PhaseLayout phase_layout(const PhaseFigure& figure, double legend_height) {
   for (const PhasePanel& p : page.panels)
     beside_bar = std::max(beside_bar, bar_gap + bar_width + bar_title_distance(p.scale) + 5);
   const double right = bars || page.shared_bar ? beside_bar : beside_none;
-  const double inner = bars ? beside_bar + between : between;
+  const double inner = (bars ? beside_bar : 0) + (page.own_axes ? left : between);
   const auto n = static_cast<double>(columns);
   const double width = (page.width - left - right - (n - 1) * inner) / n;
   const double height = panel_height(count);
@@ -123,7 +153,7 @@ PhaseLayout phase_layout(const PhaseFigure& figure, double legend_height) {
   // From the top downwards, turned over once the height is known.
   double down = page.title.empty() ? 4 : page_title;
   for (std::size_t row = 0; row < rows; ++row) {
-    const bool above = row == 0 || speeds_differ;
+    const bool above = row == 0 || speeds_differ || page.own_axes;
     const std::span<PhasePanel> those = std::span(page.panels)
                                             .subspan(row * columns)
                                             .first(std::min(columns, count - row * columns));
@@ -135,8 +165,8 @@ PhaseLayout phase_layout(const PhaseFigure& figure, double legend_height) {
       PhasePanel& p = those[column];
       const double x = left + static_cast<double>(column) * (width + inner);
       p.frame.area = {{x, -(down + height)}, {x + width, -down}};
-      p.labels_left = column == 0;
-      p.labels_below = (row + 1) * columns + column >= count;
+      p.labels_left = column == 0 || page.own_axes;
+      p.labels_below = (row + 1) * columns + column >= count || page.own_axes;
       p.labels_above = above && p.diagram->v_esc_cm_per_s > 0;
       last_of_column = last_of_column || p.labels_below;
     }
@@ -145,6 +175,10 @@ PhaseLayout phase_layout(const PhaseFigure& figure, double legend_height) {
   page.height = down + legend_height + 6;
   for (PhasePanel& p : page.panels)
     p.frame.area.low.y += page.height, p.frame.area.high.y += page.height;
+  if (count % columns != 0) {
+    const drawing::Area& last = page.panels.back().frame.area;
+    page.gap = {{last.high.x + inner, last.low.y}, {page.width - right, last.high.y}};
+  }
   page.legend = {legend_margin, legend_height + 4};
   if (page.shared_bar) {
     const double x = page.width - right + bar_gap;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "analysis/diagrams/phase_cells.hpp"
@@ -13,7 +14,8 @@ struct PhasePanel {
   PanelFrame frame;
   drawing::Quoted title = {};  ///< empty where the title of the figure suffices
   bool labels_left = true, labels_below = true, labels_above = true;
-  bool bar = true;  ///< whether it has its own colour bar on the right
+  bool bar = true;      ///< whether it has its own colour bar on the right
+  bool letters = true;  ///< whether its cells show the letters of classes
 };
 
 /// The positions of everything in a figure. Up to three panels stand below one another and are as
@@ -25,6 +27,9 @@ struct PhaseLayout {
   bool shared_bar = false;
   drawing::Area bar = {};      ///< area of the shared colour bar
   drawing::Point legend = {};  ///< its upper left corner
+  /// Where the last row has no panels.
+  std::optional<drawing::Area> gap = {};
+  bool own_axes = false;  ///< panels have axes of their own
 };
 
 inline constexpr double tick_size = 6.5, bar_gap = 8, bar_width = 7, legend_margin = 8;
@@ -32,6 +37,8 @@ inline constexpr double tick_size = 6.5, bar_gap = 8, bar_width = 7, legend_marg
 double bar_title_distance(const MapScale& scale);
 
 double phase_page_width(const PhaseFigure& figure);
+/// "q = 1, phi_d = 40 deg"
+drawing::Quoted name_of_place(const PhaseDiagram& diagram);
 /// `legend_height` is that of a legend as wide as the page without its margins.
 PhaseLayout phase_layout(const PhaseFigure& figure, double legend_height);
 

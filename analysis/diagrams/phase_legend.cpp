@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "analysis/diagrams/phase_cells.hpp"
 #include "analysis/remnants/outcome.hpp"
+#include "analysis/remnants/remnants.hpp"
 
 namespace eerie::diagrams {
 
@@ -19,6 +21,16 @@ template <class Test>
 bool any(const PhaseFigure& figure, Test test) {
   return std::ranges::any_of(
       figure.diagrams, [&](const PhaseDiagram& d) { return std::ranges::any_of(d.cells, test); });
+}
+
+/// The number of seeds that most results of a fidelity have; 0 where it has none.
+std::size_t usual_seeds(const PhaseFigure& figure, std::string_view fidelity) {
+  std::map<std::size_t, int> cells;
+  for (const PhaseDiagram& d : figure.diagrams)
+    for (const PhaseCell& c : d.cells)
+      if (c.has_result() && c.fidelity == fidelity) ++cells[c.seeds];
+  const auto most = std::ranges::max_element(cells, {}, [](const auto& x) { return x.second; });
+  return most == cells.end() ? 0 : most->first;
 }
 
 bool shows(const PhaseFigure& figure, MapQuantity quantity) {
@@ -35,21 +47,31 @@ bool lacks_a_value(const PhaseFigure& figure) {
 
 }  // namespace
 
-PhaseLegend::PhaseLegend(const PhaseFigure& figure, double width_pt) {
+PhaseLegend::PhaseLegend(const PhaseFigure& figure, double width_pt, bool letters,
+                         const std::vector<drawing::Quoted>& left_out) {
   add_curve(figure);
-  if (shows(figure, MapQuantity::b_over_a)) add(Mark::blue, {}, "EER (b/a < 0.3)");
+  const bool blue = any(figure, [](const PhaseCell& c) {
+    return c.has_result() && c.b_over_a && *c.b_over_a < remnants::eer_max_b_over_a;
+  });
+  if (blue && shows(figure, MapQuantity::b_over_a)) add(Mark::blue, {}, "EER (b/a < 0.3)");
   if (any(figure, [](const PhaseCell& c) { return c.has_result() && c.smaller_eer; }))
     add(Mark::corner, {}, "a smaller remnant is an EER");
-  add_classes(figure);
-  add_states(figure);
+  add_classes(figure, letters);
+  add_states(figure, letters);
+  for (const drawing::Quoted& name : left_out)
+    entries_.push_back({Mark::none, {}, name + drawing::in_quotes(": not run yet")});
   double x = 0;
   int row = 0;
   for (Entry& entry : entries_) {
-    const double width = symbol_width + drawing::text_width(entry.words, words_size);
+    const double width = symbol_of(entry) + drawing::text_width(entry.words, words_size);
     if (x > 0 && x + width > width_pt) x = 0, ++row;
     entry.x = x, entry.row = row;
     x += width + gap;
   }
+}
+
+double PhaseLegend::symbol_of(const Entry& entry) {
+  return entry.mark == Mark::none ? 0 : symbol_width;
 }
 
 void PhaseLegend::add(Mark mark, std::string_view letter, std::string_view words,
@@ -68,10 +90,11 @@ void PhaseLegend::add_curve(const PhaseFigure& figure) {
            : "v sin θ as in the panel's title");
 }
 
-void PhaseLegend::add_classes(const PhaseFigure& figure) {
+void PhaseLegend::add_classes(const PhaseFigure& figure, bool letters) {
   const bool coloured = shows(figure, MapQuantity::outcome);
   for (const remnants::OutcomeName& row : remnants::outcome_names)
-    if (any(figure, [&](const PhaseCell& c) { return c.has_result() && c.outcome == row.name; }))
+    if ((letters || coloured) &&
+        any(figure, [&](const PhaseCell& c) { return c.has_result() && c.outcome == row.name; }))
       add(Mark::letter, row.short_name, row.name,
           coloured ? std::optional(outcome_colour(row.name)) : std::nullopt);
   if (coloured &&
@@ -79,11 +102,11 @@ void PhaseLegend::add_classes(const PhaseFigure& figure) {
     add(Mark::letter, "%", "of the seeds, where they differ");
 }
 
-void PhaseLegend::add_states(const PhaseFigure& figure) {
-  for (const char* fidelity : {"sketch", "survey", "paper"})
-    if (any(figure, [&](const PhaseCell& c) { return c.fidelity == fidelity; }))
-      add(Mark::letter, map_mark::basis({.fidelity = fidelity, .seeds = 4}),
-          fmt::format("4 seeds, {}", fidelity));
+void PhaseLegend::add_states(const PhaseFigure& figure, bool letters) {
+  for (const char* fidelity : {"sketch", "survey", "standard", "fine", "paper"})
+    if (const std::size_t seeds = usual_seeds(figure, fidelity); letters && seeds > 0)
+      add(Mark::letter, map_mark::basis({.fidelity = fidelity, .seeds = seeds}),
+          fmt::format("{}, {} seed{}", fidelity, seeds, seeds == 1 ? "" : "s"));
   if (any(figure, [](const PhaseCell& c) { return c.in_doubt; })) add(Mark::doubt, {}, "in doubt");
   if (any(figure, [](const PhaseCell& c) { return c.state == CellState::unsettled; }))
     add(Mark::unsettled, {}, "unsettled: pieces will meet again");
@@ -106,6 +129,8 @@ double PhaseLegend::height_pt() const {
 
 void PhaseLegend::draw_mark(drawing::Canvas& canvas, const Entry& entry, const drawing::Area& box) {
   switch (entry.mark) {
+    case Mark::none:
+      return;
     case Mark::letter:
       if (entry.fill) canvas.fill(box, *entry.fill);
       canvas.text(box.centre(), entry.letter,
@@ -151,7 +176,7 @@ void PhaseLegend::draw(drawing::Canvas& canvas, drawing::Point upper_left) const
   for (const Entry& entry : entries_) {
     const drawing::Point at{upper_left.x + entry.x, upper_left.y - row_height * (entry.row + 0.5)};
     draw_mark(canvas, entry, {{at.x, at.y - 3}, {at.x + 8, at.y + 3}});
-    canvas.text({at.x + symbol_width, at.y}, entry.words,
+    canvas.text({at.x + symbol_of(entry), at.y}, entry.words,
                 {.size = words_size, .colour = map_mark::ink, .align = drawing::Align::left});
   }
 }

@@ -9,10 +9,12 @@
 
 namespace eerie::diagrams {
 
-/// Explains the marks of a figure, in rows below it.
+/// Explains the marks of a figure, in rows. `letters`: cells show the letters of classes.
+/// `left_out` names diagrams that are not drawn since nothing of them has run.
 class PhaseLegend {
  public:
-  PhaseLegend(const PhaseFigure& figure, double width_pt);
+  PhaseLegend(const PhaseFigure& figure, double width_pt, bool letters = true,
+              const std::vector<drawing::Quoted>& left_out = {});
   double height_pt() const;
   void draw(drawing::Canvas& canvas, drawing::Point upper_left) const;
 
@@ -27,7 +29,8 @@ class PhaseLegend {
     failed,
     unsettled,
     stale,
-    doubt
+    doubt,
+    none
   };
   struct Entry {
     Mark mark;
@@ -39,8 +42,9 @@ class PhaseLegend {
   void add(Mark mark, std::string_view letter, std::string_view words,
            std::optional<drawing::Colour> fill = {});
   void add_curve(const PhaseFigure& figure);
-  void add_classes(const PhaseFigure& figure);
-  void add_states(const PhaseFigure& figure);
+  void add_classes(const PhaseFigure& figure, bool letters);
+  void add_states(const PhaseFigure& figure, bool letters);
+  static double symbol_of(const Entry& entry);
   static void draw_mark(drawing::Canvas& canvas, const Entry& entry, const drawing::Area& box);
   std::vector<Entry> entries_;
 };

@@ -35,15 +35,15 @@ Script tick_list(const std::vector<double>& values, double points_per_unit, doub
   return "(" + list + ")";
 }
 
-/// Where the common axes have ticks: at the cells, or at round numbers where diagrams have cells at
-/// different places.
+/// Where axes have ticks: at the cells, or at round numbers where diagrams have cells at different
+/// places.
 struct TickValues {
   std::vector<double> v, theta;
 };
-TickValues tick_values(const PhaseFigure& figure, const PanelFrame& frame) {
+TickValues tick_values(const std::vector<PhaseDiagram>& diagrams, const PanelFrame& frame) {
   std::vector<double> v, theta;
   std::size_t most_v = 0, most_theta = 0;
-  for (const PhaseDiagram& diagram : figure.diagrams) {
+  for (const PhaseDiagram& diagram : diagrams) {
     const CellGrid grid(diagram);
     v.insert(v.end(), grid.v.at.begin(), grid.v.at.end());
     theta.insert(theta.end(), grid.theta.at.begin(), grid.theta.at.end());
@@ -98,7 +98,7 @@ void draw_titles(drawing::Canvas& canvas, const PhasePanel& panel) {
   if (panel.labels_below)
     canvas.text({middle.x, a.low.y - 17}, drawing::marked_up("v_{{imp}}\u00a0(cm/s)"), across);
   if (panel.labels_left)
-    canvas.text({a.low.x - 25, middle.y}, drawing::marked_up("θ_{{imp}}\u00a0(deg)"), upwards);
+    canvas.text({a.low.x - 28, middle.y}, drawing::marked_up("θ_{{imp}}\u00a0(deg)"), upwards);
   if (panel.labels_above)
     canvas.text({middle.x, a.high.y + 18}, drawing::marked_up("v_{{imp}}\u00a0/\u00a0v_{{esc}}"),
                 across);
@@ -151,19 +151,85 @@ Script plot(const PhasePanel& panel) {
   return text + "\n";
 }
 
+CellWords words_of(const PhasePanel& panel) {
+  CellWords words =
+      cell_words(CellGrid(*panel.diagram), panel.frame, panel.scale.quantity, panel.letters);
+  words.curve = panel.diagram->threshold_cm_per_s;
+  return words;
+}
+
+bool has_result(const PhaseDiagram& diagram) {
+  return std::ranges::any_of(diagram.cells, &PhaseCell::has_result);
+}
+
+/// A figure without the diagrams that would be empty panels, unless all are, and their names.
+struct DrawnFigure {
+  PhaseFigure figure;
+  std::vector<drawing::Quoted> left_out;
+
+  explicit DrawnFigure(const PhaseFigure& whole) : figure(whole) {
+    if (std::ranges::none_of(whole.diagrams, has_result)) return;
+    std::erase_if(figure.diagrams, [](const PhaseDiagram& d) { return !has_result(d); });
+    for (const PhaseDiagram& d : whole.diagrams)
+      if (!has_result(d)) left_out.push_back(name_of_place(d));
+  }
+};
+
+/// Whether some cell has room for the letter of its class.
+bool letters_fit(const PhaseLayout& page) {
+  return std::ranges::any_of(page.panels, [](const PhasePanel& panel) {
+    if (!panel.letters) return false;
+    const CellGrid grid(*panel.diagram);
+    const CellWords words = words_of(panel);
+    for (std::size_t k = 0; k < grid.cells.size(); ++k) {
+      if (grid.cells[k] == nullptr || !grid.cells[k]->has_result()) continue;
+      const auto area = grid.area(panel.frame, k % grid.v.at.size(), k / grid.v.at.size());
+      const CellLine line{letter_words(*grid.cells[k]), words.letter_size, true};
+      if (line.width() <= area.width() && line.height() <= area.height()) return true;
+    }
+    return false;
+  });
+}
+
+/// The legend stands where the last row has no panel, if there is room, else below the panels.
+struct LegendPlace {
+  PhaseLayout page;
+  PhaseLegend legend;
+
+  explicit LegendPlace(const DrawnFigure& drawn)
+      : page(phase_layout(drawn.figure, 0)), legend(make(drawn, page.width - 2 * legend_margin)) {
+    if (page.gap) {
+      const PhaseLegend beside = make(drawn, page.gap->width());
+      if (beside.height_pt() <= page.gap->height()) {
+        legend = beside;
+        page.legend = {page.gap->low.x, page.gap->high.y};
+        return;
+      }
+    }
+    page = phase_layout(drawn.figure, legend.height_pt());
+  }
+
+ private:
+  PhaseLegend make(const DrawnFigure& drawn, double width_pt) const {
+    return {drawn.figure, width_pt, letters_fit(page), drawn.left_out};
+  }
+};
+
 }  // namespace
 
-FigureScript phase_script(const PhaseFigure& figure) {
-  const PhaseLegend legend(figure, phase_page_width(figure) - 2 * legend_margin);
-  const PhaseLayout page = phase_layout(figure, legend.height_pt());
-  const TickValues ticks = tick_values(figure, page.panels.front().frame);
+FigureScript phase_script(const PhaseFigure& whole) {
+  const DrawnFigure drawn(whole);
+  const PhaseFigure& figure = drawn.figure;
+  const LegendPlace legend(drawn);
+  const PhaseLayout& page = legend.page;
   Script text("set encoding utf8\nunset key\nset border lw 0.5\n$none << EOD\n-1e9 -1e9 0\nEOD\n");
   text += "set multiplot\n";
   for (std::size_t k = 0; k < page.panels.size(); ++k) {
     const PhasePanel& panel = page.panels[k];
     const drawing::Area& a = panel.frame.area;
     drawing::Canvas canvas(page.width, page.height);
-    draw_cells(canvas, CellGrid(*panel.diagram), panel.frame, panel.scale);
+    const CellGrid grid(*panel.diagram);
+    draw_cells(canvas, grid, panel.frame, panel.scale, words_of(panel));
     draw_titles(canvas, panel);
     Script bar("unset colorbox\n");
     if (panel.bar)
@@ -172,10 +238,13 @@ FigureScript phase_script(const PhaseFigure& figure) {
                        page);
     if (k == 0) {
       if (page.shared_bar) bar = colour_bar(canvas, panel.scale, page.bar, page);
-      legend.draw(canvas, page.legend);
+      legend.legend.draw(canvas, page.legend);
       canvas.text({page.width / 2, page.height - 7}, page.title,
-                  {.size = 7, .colour = map_mark::ink});
+                  {.size = drawing::size_that_fits(page.title, page.width - 8, 7),
+                   .colour = map_mark::ink});
     }
+    const TickValues ticks = page.own_axes ? tick_values({*panel.diagram}, panel.frame)
+                                           : tick_values(figure.diagrams, panel.frame);
     text += axes(panel, ticks, page) + bar + canvas.commands() + threshold_curve(panel) +
             plot(panel) + "unset object\nunset label\nunset arrow\n";
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/drawing/gnuplot.hpp"
+#include "analysis/drawing/key.hpp"
 
 namespace eerie::disk {
 
@@ -13,13 +14,15 @@ namespace {
 
 using drawing::Literal, drawing::Quoted, drawing::Script, drawing::script, drawing::in_quotes;
 
-constexpr double width_pt = 255, height_pt = 200;
-constexpr double left_pt = 36, right_pt = 10, top_pt = 44, bottom_pt = 26;
+constexpr double width_pt = 255, panel_pt = 135, margin_pt = 6, title_pt = 13;
+constexpr double left_pt = 36, right_pt = 14, regimes_pt = 14, bottom_pt = 28;
 // Okabe & Ito's blue and vermilion, and pale fills that differ in lightness too.
 constexpr Literal slow_colour = "#0072b2", fast_colour = "#d55e00";
 constexpr Literal solid = "lw 1.5 dt solid", dashed = "lw 0.9 dt (6,3)";
 constexpr Literal dotted = "lw 1.3 dt (1.5,2) lc rgb 'black'";
-constexpr Literal below_fill = "#e4eff7", between_fill = "#fff3b8", above_fill = "#efefef";
+constexpr Literal thin = "lw 0.5 lc rgb '#888888'";
+constexpr drawing::Colour below_fill{0xe4, 0xef, 0xf7}, between_fill{0xff, 0xf3, 0xb8},
+    above_fill{0xef, 0xef, 0xef};
 
 struct Range {
   double low, high;
@@ -126,7 +129,7 @@ Script fills(const Range& range) {
     return script("(${0} < {1} ? {1} : ${0} > {2} ? {2} : ${0})", c, range.low, range.high);
   };
   const Script low = clipped(column(slow)), high = clipped(column(fast));
-  const auto fill = [](const Script& from, const Script& to, Literal colour) {
+  const auto fill = [](const Script& from, const Script& to, drawing::Colour colour) {
     return script("$law0 using 1:{}:{} with filledcurves fc rgb '{}' fs solid notitle", from, to,
                   colour);
   };
@@ -136,9 +139,9 @@ Script fills(const Range& range) {
 
 Script curves(const DiskFigure& figure, const Range& range) {
   Script text;
-  for (const Labelled& thin : thin_contours(figure, range))
-    text += script(", $law0 using 1:{} with lines lw 0.5 lc rgb '#888888' notitle",
-                   column(contour_speeds[thin.speed]));
+  for (const Labelled& one : thin_contours(figure, range))
+    text +=
+        script(", $law0 using 1:{} with lines {} notitle", column(contour_speeds[one.speed]), thin);
   for (std::size_t law = figure.laws.size(); law-- > 0;)
     for (const double speed : {slow, fast})
       text += script(", $law{} using 1:{} with lines {} lc rgb '{}' notitle", law, column(speed),
@@ -152,24 +155,42 @@ std::string words(DragLaw law) {
   return law == DragLaw::published ? "published drag" : "Weidenschilling's drag";
 }
 
-/// Two columns of two: gnuplot's own key drops columns that it finds too wide.
-Script key(const DiskFigure& figure) {
-  Script text;
-  const auto entry = [&](int column, int row, const Script& line, const std::string& title) {
-    const double x = 8 + 118 * column, y = height_pt - 17 - 9 * row;
-    text += script(
-        "set arrow from screen {},{} to screen {},{} nohead {}\n"
-        "set label {} at screen {},{} left font ',6'\n",
-        x / width_pt, y / height_pt, (x + 16) / width_pt, y / height_pt, line, in_quotes(title),
-        (x + 19) / width_pt, y / height_pt);
-  };
+drawing::Key key_of(const DiskFigure& figure, const Range& range) {
   const std::string first = words(figure.laws[0].law);
-  entry(0, 0, script("{} lc rgb '{}'", solid, fast_colour), "40 cm/s, " + first);
-  entry(0, 1, script("{} lc rgb '{}'", solid, slow_colour), "15 cm/s, " + first);
-  if (!figure.published.empty()) entry(1, 0, Script(dotted), "40 cm/s in the paper's text");
+  std::vector<drawing::KeyEntry> entries = {
+      {in_quotes("40 cm/s, " + first), script("{} lc rgb '{}'", solid, fast_colour)},
+      {in_quotes("15 cm/s, " + first), script("{} lc rgb '{}'", solid, slow_colour)}};
   if (figure.laws.size() > 1)
-    entry(1, 1, script("{} lc rgb '#555555'", dashed), "dashed: " + words(figure.laws[1].law));
-  return text;
+    entries.push_back(
+        {in_quotes("dashed: " + words(figure.laws[1].law)), script("{} lc rgb '#555555'", dashed)});
+  if (!figure.published.empty())
+    entries.push_back({in_quotes("40 cm/s in the paper's text"), Script(dotted)});
+  if (!thin_contours(figure, range).empty())
+    entries.push_back({in_quotes("other speeds, cm/s"), Script(thin)});
+  entries.push_back({in_quotes("elongated bodies can form"), {}, {}, between_fill});
+  entries.push_back({in_quotes("slower"), {}, {}, below_fill});
+  entries.push_back({in_quotes("faster"), {}, {}, above_fill});
+  entries.push_back({in_quotes("above the frame: law of gas drag")});
+  return {std::move(entries), width_pt - 2 * margin_pt};
+}
+
+double top_of(const DiskFigure& figure) {
+  return title_pt + key_of(figure, decades(figure)).height_pt() + regimes_pt;
+}
+
+double height_of(const DiskFigure& figure) { return top_of(figure) + panel_pt + bottom_pt; }
+
+/// Title and legend, above the panel.
+Script head(const DiskFigure& figure) {
+  const double height_pt = height_of(figure);
+  const Quoted title = in_quotes(figure.title);
+  drawing::Canvas canvas(width_pt, height_pt);
+  canvas.text({margin_pt, height_pt - 7}, title,
+              {.size = drawing::size_that_fits(title, width_pt - 2 * margin_pt, 7),
+               .colour = {},
+               .align = drawing::Align::left});
+  key_of(figure, decades(figure)).draw(canvas, {margin_pt, height_pt - title_pt});
+  return canvas.commands();
 }
 
 /// The law asked for first; the other one too where both know the body.
@@ -182,12 +203,12 @@ std::vector<DragLaw> laws_of(DragLaw law, const Body& body) {
 
 DiskFigure turbulence_figure(DragLaw law, const Body& body, double r_low, double r_high) {
   const std::vector<double> r = contour_distances(r_low, r_high);
-  DiskFigure figure{
-      fmt::format("Speed of encounters (cm/s) in turbulence, bodies of {:g} m", body.radius),
-      "strength of turbulence α (no unit)",
-      1,
-      {},
-      {}};
+  DiskFigure figure{fmt::format("Speed of encounters in turbulence: bodies of {:g} m, {:g} kg/m³",
+                                body.radius, body.density),
+                    "strength of turbulence α (no unit)",
+                    1,
+                    {},
+                    {}};
   for (const DragLaw one : laws_of(law, body)) figure.laws.push_back(alpha_contours(one, body, r));
   if (has_published_drag(body)) {
     constexpr double limit = 5e-4, bend_au = 20, end_au = 1000;
@@ -203,7 +224,10 @@ DiskFigure stirring_figure(DragLaw law, const Body& body, const Stirrers& stirre
                            double r_high) {
   const std::vector<double> r = contour_distances(r_low, r_high);
   DiskFigure figure{
-      fmt::format("Speed of encounters (cm/s) among larger bodies, bodies of {:g} m", body.radius),
+      fmt::format(
+          "Speed of encounters among larger bodies, {:g} % of all solids: bodies of {:g} m, {:g} "
+          "kg/m³",
+          100 * stirrers.solid_fraction, body.radius, body.density),
       "radius of large bodies R (km)",
       1000,
       {},
@@ -224,6 +248,7 @@ drawing::Script disk_script(const DiskFigure& figure) {
   for (std::size_t law = 0; law < figure.laws.size(); ++law) text += contour_block(figure, law);
   text += published_block(figure);
   const Contours& first = figure.laws[0];
+  const double height_pt = height_of(figure), top_pt = top_of(figure);
   text += script(
       "set encoding utf8\nunset key\nset border lw 0.5 front\nset tics out nomirror scale 0.5,0.25 "
       "front\n"
@@ -237,15 +262,13 @@ drawing::Script disk_script(const DiskFigure& figure) {
   text +=
       script("set label {} at screen {},{} center rotate font ',7'\n", in_quotes(figure.y_label),
              6 / width_pt, (height_pt - top_pt + bottom_pt) / 2 / height_pt);
-  text += script("set label {} at screen {},{} left font ',7'\n", in_quotes(figure.title),
-                 6 / width_pt, 1 - 7 / height_pt);
-  return text + key(figure) + contour_labels(figure, y) + regimes(first) + "plot " + fills(y) +
+  return text + head(figure) + contour_labels(figure, y) + regimes(first) + "plot " + fills(y) +
          curves(figure, y) + "\n";
 }
 
 void draw_disk(const std::filesystem::path& path, const DiskFigure& figure) {
-  drawing::run_gnuplot(drawing::gnuplot_terminal(path, width_pt, height_pt) + disk_script(figure),
-                       path);
+  drawing::run_gnuplot(
+      drawing::gnuplot_terminal(path, width_pt, height_of(figure)) + disk_script(figure), path);
 }
 
 }  // namespace eerie::disk

@@ -28,6 +28,14 @@ void Canvas::line(Point from, Point to, Colour colour, double line_width) {
                       line_width, colour);
 }
 
+void Canvas::styled_line(Point from, Point to, const Script& style) {
+  commands_ += script("set arrow from {} to {} nohead back {}\n", at(from), at(to), style);
+}
+
+void Canvas::mark(Point p, const Script& style) {
+  commands_ += script("set label '' at {} point {}\n", at(p), style);
+}
+
 void Canvas::polygon(const std::vector<Point>& corners, Colour colour) {
   Script path = "from " + at(corners.front());
   for (std::size_t i = 1; i < corners.size(); ++i) path += " to " + at(corners[i]);
@@ -63,8 +71,10 @@ void Canvas::text(Point p, const Quoted& words, const Style& style) {
                       at(p), side, turn, weight, style.size, style.colour);
 }
 
-double text_width(const Quoted& words, double size) {
-  return 0.56 * size * static_cast<double>(words.letters());
+double text_width(const Quoted& words, double size, bool bold) { return size * words.width(bold); }
+
+double size_that_fits(const Quoted& words, double room, double most) {
+  return std::min(most, room / std::max(words.width(), 1e-9));
 }
 
 }  // namespace eerie::drawing

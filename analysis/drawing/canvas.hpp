@@ -42,6 +42,10 @@ class Canvas {
   void patch(const Area& area, Colour colour);
   void outline(const Area& area, Colour colour, double line_width);
   void line(Point from, Point to, Colour colour, double line_width);
+  /// Draws a line in a style of gnuplot: "lw 1 dt 2 lc rgb '#000000'".
+  void styled_line(Point from, Point to, const Script& style);
+  /// Draws a mark in a style of gnuplot: "pt 7 ps 0.5 lc rgb '#000000'".
+  void mark(Point at, const Script& style);
   void polygon(const std::vector<Point>& corners, Colour colour);
   /// Draws lines that rise to the right, `distance` points apart, cut at the borders of the area.
   void hatch(const Area& area, Colour colour, double distance);
@@ -61,7 +65,10 @@ class Canvas {
   Script commands_;
 };
 
-/// The approximate width of words in DejaVu Sans, points.
-double text_width(const Quoted& words, double size);
+/// The width of words in DejaVu Sans, points.
+double text_width(const Quoted& words, double size, bool bold = false);
+
+/// The largest type size up to `most` at which the words are at most `room` points wide.
+double size_that_fits(const Quoted& words, double room, double most);
 
 }  // namespace eerie::drawing

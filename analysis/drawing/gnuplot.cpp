@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+
+#include "analysis/drawing/portable_svg.hpp"
 #include "analysis/drawing/tool.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
@@ -10,7 +13,15 @@ namespace eerie::drawing {
 
 namespace {
 const Tool gnuplot{"gnuplot", "draws the figures", "gnuplot-nox"};
+
+void make_portable(const std::filesystem::path& svg) {
+  const std::string text = portable_svg(read_file(svg));
+  std::ofstream file(svg, std::ios::binary | std::ios::trunc);
+  file << text << std::flush;
+  if (!file) throw EnvironmentError(fmt::format("cannot write {}", svg.string()));
 }
+
+}  // namespace
 
 Script gnuplot_terminal(const std::filesystem::path& path, double width_pt, double height_pt) {
   const std::string extension = path.extension().string();
@@ -38,6 +49,7 @@ void run_gnuplot(const Script& script, const std::filesystem::path& path) {
     if (!end.well || std::filesystem::file_size(temporary) == 0)
       throw EnvironmentError(
           fmt::format("gnuplot could not draw {}: {}", path.string(), end.words));
+    if (path.extension() == ".svg") make_portable(temporary);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "analysis/drawing/letter_widths.hpp"
 #include "solver/base/utf8.hpp"
 
 namespace eerie::drawing {
@@ -68,6 +69,8 @@ Quoted Quoted::with_letters(std::string enhanced) {
   made.enhanced_ = std::move(enhanced);
   return made;
 }
+
+double Quoted::width(bool bold) const { return width_in_em(enhanced_, bold); }
 
 std::string Quoted::in_script() const {
   std::string out = "\"";

@@ -76,6 +76,8 @@ class Quoted {
   Quoted() = default;
   bool empty() const { return enhanced_.empty(); }
   std::size_t letters() const { return letters_; }  ///< the number of visible letters
+  /// The width in DejaVu Sans, in units of the type size.
+  double width(bool bold = false) const;
   /// The text for gnuplot: in quotation marks, with escapes for everything that gnuplot might obey.
   std::string in_script() const;
 

@@ -13,7 +13,7 @@ namespace eerie::figures {
 struct ConvergencePoint {
   double at = 0;                   ///< particle number, or time in 1,000 s
   double mean = 0, deviation = 0;  ///< standard deviation of a single run
-  double low = 0, high = 0;        ///< extremes of the ensemble
+  double low = 0, high = 0;        ///< extremes of the ensemble; tables have them
 };
 
 /// A panel: one quantity against particle number or time.
@@ -34,9 +34,10 @@ struct ConvergenceFigure {
   std::string earlier = {};  ///< the meaning of open marks: "at 100000 s"
 };
 
-/// Draws panels below each other, nine centimetres wide: means with standard deviations (thick) and
-/// extremes (thin). The extension names the format: .png, .svg or .pdf. Throws InputError (no point
-/// at all, another extension) and EnvironmentError (gnuplot or the disk fails).
+/// Draws panels below each other, nine centimetres wide: means, with standard deviations of a
+/// single run as bars. Series without points and panels without curves do not appear. The extension
+/// names the format: .png, .svg or .pdf. Throws InputError (no point at all, another extension) and
+/// EnvironmentError (gnuplot or the disk fails).
 void draw_convergence(const std::filesystem::path& path, const ConvergenceFigure& figure);
 
 /// The gnuplot commands for the figure, without the terminal line.

@@ -15,15 +15,24 @@ namespace {
 using drawing::in_quotes;
 
 constexpr double row_pt = 10, cell_pt = 33, name_pt = 13, head_pt = 14, margin_pt = 6,
-                 indent_pt = 6, label_size = 6, cell_size = 5.5, caption_pt = 12, gap_pt = 6;
+                 indent_pt = 6, label_size = 6, title_pt = 13, title_size = 7, cell_size = 5.5,
+                 caption_pt = 9, gap_pt = 6;
 constexpr drawing::Colour ink{0x1a, 0x1a, 0x1a}, grey{0x60, 0x60, 0x60};
+
+/// The lines below the table.
+std::vector<std::string> below(const MatrixFigure& figure) {
+  std::vector<std::string> lines = figure.notes;
+  if (!figure.caption.empty()) lines.insert(lines.begin(), figure.caption);
+  return lines;
+}
 
 /// Where rows and columns lie on the page.
 struct Layout {
   double label_pt = 0, width = 0, height = 0;
 
   explicit Layout(const MatrixFigure& figure) {
-    height = 2 * margin_pt + head_pt + (figure.caption.empty() ? 0 : caption_pt);
+    height = 2 * margin_pt + head_pt + (figure.title.empty() ? 0 : title_pt) +
+             caption_pt * static_cast<double>(below(figure).size());
     for (const MatrixGroup& group : figure.groups) {
       height +=
           (group.name.empty() ? 0 : name_pt) + row_pt * static_cast<double>(group.rows.size());
@@ -32,9 +41,11 @@ struct Layout {
         label_pt =
             std::max(label_pt, indent_pt + drawing::text_width(in_quotes(row.label), label_size));
     }
-    width = margin_pt +
-            std::max(left_of(figure.columns.size()),
-                     margin_pt + drawing::text_width(in_quotes(figure.caption), label_size));
+    width = margin_pt + left_of(figure.columns.size());
+    for (const std::string& line : below(figure))
+      width = std::max(width, 2 * margin_pt + drawing::text_width(in_quotes(line), label_size));
+    width =
+        std::max(width, 2 * margin_pt + drawing::text_width(in_quotes(figure.title), title_size));
   }
 
   double left_of(std::size_t column) const {
@@ -62,6 +73,11 @@ void draw_row(drawing::Canvas& canvas, const Layout& page, const MatrixRow& row,
 drawing::Canvas draw(const MatrixFigure& figure, const Layout& page) {
   drawing::Canvas canvas(page.width, page.height);
   double top = page.height - margin_pt;
+  if (!figure.title.empty()) {
+    canvas.text({margin_pt, top - title_pt / 2}, in_quotes(figure.title),
+                {.size = title_size, .colour = ink, .align = drawing::Align::left});
+    top -= title_pt;
+  }
   for (std::size_t c = 0; c < figure.columns.size(); ++c)
     canvas.text({page.left_of(c) + cell_pt / 2, top - head_pt / 2}, in_quotes(figure.columns[c]),
                 {.size = label_size, .colour = ink, .bold = true});
@@ -77,9 +93,11 @@ drawing::Canvas draw(const MatrixFigure& figure, const Layout& page) {
       top -= row_pt;
     }
   }
-  if (!figure.caption.empty())
-    canvas.text({margin_pt, top - caption_pt / 2}, in_quotes(figure.caption),
+  for (const std::string& line : below(figure)) {
+    canvas.text({margin_pt, top - caption_pt / 2}, in_quotes(line),
                 {.size = label_size, .colour = grey, .align = drawing::Align::left});
+    top -= caption_pt;
+  }
   return canvas;
 }
 

@@ -29,6 +29,8 @@ struct MatrixFigure {
   std::vector<std::string> columns;
   std::vector<MatrixGroup> groups;
   std::string caption;  ///< explains the text of the cells
+  std::string title = {};
+  std::vector<std::string> notes = {};  ///< further lines below, such as what columns are
 };
 
 /// The gnuplot commands for the figure, without the terminal line. Throws InputError where there is

@@ -11,9 +11,11 @@ namespace eerie::light_curve {
 struct LightCurveFigure {
   LightCurve curve;
   std::vector<AspectAmplitude> amplitudes;
+  drawing::Quoted title = {};  ///< impact, remnant, time
+  double period_s = 0;         ///< of the spin; 0: not known, the axis counts rotations
 };
 
-/// Draws two panels on the width of a page (18 cm): magnitudes over the rotation, and amplitude
+/// Draws two panels on the width of a page (18 cm): magnitudes over one rotation (h), and amplitude
 /// over aspect with that of 1I/'Oumuamua. The extension names the format: .png, .svg or .pdf.
 /// Throws InputError (another extension) and EnvironmentError (gnuplot or the disk fails).
 void draw_light_curve(const std::filesystem::path& path, const LightCurveFigure& figure);

@@ -7,6 +7,7 @@
 
 #include "analysis/drawing/canvas.hpp"
 #include "analysis/drawing/gnuplot.hpp"
+#include "analysis/drawing/grouped.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::pictures {
@@ -18,7 +19,7 @@ using drawing::Literal, drawing::Script, drawing::script, drawing::in_quotes, dr
 // All in points.
 constexpr double column_width = 255, page_width = 510;
 constexpr std::size_t most_in_column = 3, most_in_row = 5;
-constexpr double border = 3, gap = 3, stamp_height = 11, strip_height = 30;
+constexpr double border = 3, gap = 3, stamp_height = 11, strip_height = 30, title_height = 13;
 constexpr double longest_scale_bar = 90;
 constexpr int pixels_per_point = 5;
 constexpr drawing::Colour ink{0x22, 0x22, 0x22}, frame_grey{0x99, 0x99, 0x99};
@@ -27,32 +28,26 @@ constexpr drawing::Colour ink{0x22, 0x22, 0x22}, frame_grey{0x99, 0x99, 0x99};
 struct Page {
   double width, height, panel;
   std::size_t columns;
+  double head;  ///< height of the title
 
-  explicit Page(std::size_t panels) : width(page_width), height(0), panel(0), columns(panels) {
+  explicit Page(std::size_t panels, bool titled = false)
+      : width(page_width), height(0), panel(0), columns(panels), head(titled ? title_height : 0) {
     if (panels <= most_in_column) width = column_width;
     const std::size_t rows = (panels + most_in_row - 1) / most_in_row;
     columns = (panels + rows - 1) / rows;
     const auto n = static_cast<double>(columns);
     panel = std::floor((width - 2 * border - (n - 1) * gap) / n);
-    height = static_cast<double>(rows) * (panel + stamp_height) + strip_height;
+    height = static_cast<double>(rows) * (panel + stamp_height) + strip_height + head;
   }
 
   drawing::Area area(std::size_t k) const {
     const std::size_t rows_above = k / columns;
     const auto column = static_cast<double>(k % columns), row = static_cast<double>(rows_above);
-    const double top = height - stamp_height - row * (panel + stamp_height);
+    const double top = height - head - stamp_height - row * (panel + stamp_height);
     const double left = border + column * (panel + gap);
     return {{left, top - panel}, {left + panel, top}};
   }
 };
-
-/// "12,500 s"
-std::string time_stamp(double time) {
-  std::string digits = fmt::format("{:.0f}", time);
-  for (std::size_t from = digits.size(); from > 3 + (time < 0 ? 1u : 0u); from -= 3)
-    digits.insert(from - 3, ",");
-  return digits + " s";
-}
 
 /// 1, 2 or 5 times a power of ten, at most `length`.
 double round_length(double length) {
@@ -98,6 +93,21 @@ void draw_colour_bar(drawing::Canvas& canvas, const Page& page, const ColourScal
               {.size = 6.5, .colour = ink});
 }
 
+void draw_title(drawing::Canvas& canvas, const Page& page, const drawing::Quoted& title) {
+  canvas.text({border + 1, page.height - title_height / 2}, title,
+              {.size = drawing::size_that_fits(title, page.width - 2 * border - 2, 7.5),
+               .colour = ink,
+               .align = drawing::Align::left});
+}
+
+/// "5,000 s, contact", or the time alone where both have no room.
+drawing::Quoted stamp_of(const Panel& panel, double width) {
+  const drawing::Quoted time = in_quotes(drawing::grouped(std::llround(panel.time)) + " s");
+  if (panel.name.empty()) return time;
+  const drawing::Quoted both = time + in_quotes(", " + panel.name);
+  return drawing::text_width(both, 7) <= width ? both : time;
+}
+
 void draw_words(drawing::Canvas& canvas, const Page& page, const PanelsFigure& figure) {
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
     const drawing::Area area = page.area(k);
@@ -105,14 +115,18 @@ void draw_words(drawing::Canvas& canvas, const Page& page, const PanelsFigure& f
     // Images lie before lines: the frame is drawn round them.
     canvas.outline({{area.low.x - 0.5, area.low.y - 0.5}, {area.high.x + 0.5, area.high.y + 0.5}},
                    frame_grey, 0.5);
-    canvas.text({area.low.x + 1, area.high.y + 4.5}, in_quotes(time_stamp(panel.time)),
+    canvas.text({area.low.x + 1, area.high.y + 4.5}, stamp_of(panel, area.width() - 2),
                 {.size = 7, .colour = ink, .align = drawing::Align::left});
-    if (panel.outside > 0)
-      canvas.text({area.low.x + 3, area.low.y + 5},
-                  marked_up("{} remnant{} outside", panel.outside,
-                            panel.outside > 1 ? Literal("s") : Literal("")),
-                  {.size = 6, .colour = ink, .align = drawing::Align::left});
+    if (panel.outside == 0) continue;
+    const drawing::Quoted outside = marked_up("{} remnant{} outside", panel.outside,
+                                              panel.outside > 1 ? Literal("s") : Literal(""));
+    const drawing::Point at{area.low.x + 3, area.low.y + 5};
+    // Particles may lie there.
+    canvas.patch({{at.x - 1, at.y - 4}, {at.x + drawing::text_width(outside, 6) + 1, at.y + 4}},
+                 {255, 255, 255});
+    canvas.text(at, outside, {.size = 6, .colour = ink, .align = drawing::Align::left});
   }
+  if (!figure.title.empty()) draw_title(canvas, page, figure.title);
   draw_scale_bar(canvas, page, figure.frame_width);
   if (figure.scale.colour == ParticleColour::body) {
     draw_swatch(canvas, page.width - border - 90, target_colour, "target");
@@ -144,7 +158,7 @@ int panel_pixels(std::size_t panels) {
 }
 
 drawing::Script panels_script(const PanelsFigure& figure) {
-  const Page page(figure.panels.size());
+  const Page page(figure.panels.size(), !figure.title.empty());
   drawing::Canvas canvas(page.width, page.height);
   draw_words(canvas, page, figure);
   Images images;
@@ -165,7 +179,7 @@ drawing::Script panels_script(const PanelsFigure& figure) {
 
 void draw_panels(const std::filesystem::path& path, const PanelsFigure& figure) {
   if (figure.panels.empty()) throw InputError(path.string() + ": there is nothing to draw");
-  const Page page(figure.panels.size());
+  const Page page(figure.panels.size(), !figure.title.empty());
   drawing::run_gnuplot(
       drawing::gnuplot_terminal(path, page.width, page.height) + panels_script(figure), path);
 }

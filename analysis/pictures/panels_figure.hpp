@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "analysis/drawing/script.hpp"
@@ -13,6 +14,7 @@ struct Panel {
   double time = 0;          ///< s
   Bitmap image;             ///< panel_pixels() wide and high
   std::size_t outside = 0;  ///< number of remnants outside the frame
+  std::string name = {};    ///< what happens: "contact"; may be empty
 };
 
 /// Panels of one scale, from left to right and from the top down.
@@ -20,6 +22,7 @@ struct PanelsFigure {
   std::vector<Panel> panels;
   double frame_width = 0;  ///< m
   ColourScale scale;
+  drawing::Quoted title = {};  ///< impact and settings; may be empty
 };
 
 /// The pixels along the side of a panel in a figure of so many panels: 360 per inch in print.

@@ -61,6 +61,22 @@ std::vector<double> colour_values(const particles::State& state, ParticleColour 
   return values;
 }
 
+/// The greatest extent over 24 directions in the x-y plane: right to 1 %, m.
+double length_of(const particles::State& state, const remnants::Clump& clump) {
+  constexpr int directions = 24;
+  double longest = 0;
+  for (int k = 0; k < directions; ++k) {
+    const double angle = pi * k / directions, cosine = std::cos(angle), sine = std::sin(angle);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const std::uint32_t i : clump) {
+      const double along = cosine * state.x[i].x + sine * state.x[i].y;
+      low = std::min(low, along), high = std::max(high, along);
+    }
+    longest = std::max(longest, high - low);
+  }
+  return longest;
+}
+
 SeenBody seen(const particles::State& state, const remnants::Clump& clump, double radius) {
   const Vec3 first = state.x[clump.front()];
   SeenBody body{{}, first.x, first.x, first.y, first.y};
@@ -71,6 +87,7 @@ SeenBody seen(const particles::State& state, const remnants::Clump& clump, doubl
     body.y_low = std::min(body.y_low, x.y), body.y_high = std::max(body.y_high, x.y);
   }
   body.centre = body.centre / static_cast<double>(clump.size());
+  body.length = length_of(state, clump) + 2 * radius;
   body.x_low -= radius, body.x_high += radius, body.y_low -= radius, body.y_high += radius;
   return body;
 }

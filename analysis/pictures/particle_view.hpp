@@ -40,6 +40,7 @@ ParticleView particle_view(const io::Snapshot& snapshot, ParticleColour colour,
 struct SeenBody {
   Vec3 centre;                          ///< of mass, m
   double x_low, x_high, y_low, y_high;  ///< extent of its particles with their radius, m
+  double length = 0;                    ///< its greatest extent in the plane of the orbit, m
 };
 
 /// The positions of bodies in a snapshot.

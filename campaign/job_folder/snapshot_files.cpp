@@ -67,15 +67,6 @@ std::vector<std::size_t> nearest(const std::vector<SnapshotFile>& series,
   return chosen;
 }
 
-std::vector<std::size_t> telling(const std::vector<SnapshotFile>& series) {
-  std::vector<std::size_t> chosen;
-  const double first = series.front().time, covered = series.back().time - first;
-  for (const double part : {0.0, 0.05, 0.15, 0.4, 1.0})
-    chosen.push_back(nearest_one(series, first + part * covered));
-  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-  return chosen;
-}
-
 std::string times_text(const std::vector<SnapshotFile>& series) {
   std::string text;
   constexpr std::size_t most = 12;

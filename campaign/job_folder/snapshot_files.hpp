@@ -23,10 +23,6 @@ std::vector<SnapshotFile> snapshot_files(const std::filesystem::path& folder);
 std::vector<std::size_t> nearest(const std::vector<SnapshotFile>& series,
                                  const std::vector<double>& times);
 
-/// The indices of at most five snapshots that show the course of an impact: those nearest to 0, 5,
-/// 15, 40 and 100 % of the time.
-std::vector<std::size_t> telling(const std::vector<SnapshotFile>& series);
-
 /// The times in words: "0, 500, 1000 ... 50000 s (101 snapshots)".
 std::string times_text(const std::vector<SnapshotFile>& series);
 

@@ -13,14 +13,16 @@ using text::Value;
 namespace {
 
 text::Table table_of_panels(const std::vector<double>& times,
+                            const std::vector<TellingMoment>& moments,
                             const std::vector<std::size_t>& chosen, const RunPictures& pictures) {
   text::Table table{
       {shown("panel"), both("requested_s", "asked s", "{:g}"), both("time_s", "taken s", "{:g}"),
-       data("file"), shown("snapshot"), data("remnants_outside")},
+       both("moment", "moment"), data("file"), shown("snapshot"), data("remnants_outside")},
       {}};
   for (std::size_t p = 0; p < chosen.size(); ++p) {
     const job_folder::SnapshotFile& snapshot = pictures.snapshots()[chosen[p]];
     table.rows.push_back({p + 1, times.empty() ? Value() : Value(times[p]), snapshot.time,
+                          moments.empty() ? Value() : Value(std::string(moments[p].name)),
                           snapshot.path.string(), snapshot.path.filename().string(),
                           pictures::remnants_outside(pictures.frame(), pictures.layout(p))});
   }
@@ -28,12 +30,17 @@ text::Table table_of_panels(const std::vector<double>& times,
 }
 
 text::Table draw_panels(const PictureRequest& request, RunPictures& pictures) {
-  const std::vector<std::size_t> chosen =
-      request.times.empty() ? job_folder::telling(pictures.snapshots())
-                            : job_folder::nearest(pictures.snapshots(), request.times);
+  const bool asked = !request.times.empty();
+  const std::vector<TellingMoment> moments =
+      asked ? std::vector<TellingMoment>() : telling_moments(pictures.course());
+  std::vector<std::size_t> chosen =
+      asked ? job_folder::nearest(pictures.snapshots(), request.times) : std::vector<std::size_t>();
+  for (const TellingMoment& moment : moments) chosen.push_back(moment.snapshot);
   pictures.choose_frame(chosen, request.width, 1);
-  pictures::draw_panels(request.panels, pictures.figure(chosen));
-  return table_of_panels(request.times, chosen, pictures);
+  pictures::PanelsFigure figure = pictures.figure(chosen);
+  for (std::size_t p = 0; p < moments.size(); ++p) figure.panels[p].name = moments[p].name;
+  pictures::draw_panels(request.panels, figure);
+  return table_of_panels(request.times, moments, chosen, pictures);
 }
 
 void draw_film(const PictureRequest& request, RunPictures& pictures) {

@@ -25,7 +25,8 @@ void require_drawable(const PictureRequest& request);
 
 /// The pictures that were drawn.
 struct DrawnPictures {
-  text::Table panels;      ///< times asked for and taken, files, remnants outside the frame
+  text::Table
+      panels;  ///< times asked for and taken, what happens, files, remnants outside the frame
   std::size_t frames = 0;  ///< of the film
   pictures::Frame frame;   ///< of the panels, or of the film alone
 };

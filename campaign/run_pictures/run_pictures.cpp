@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analysis/drawing/impact_words.hpp"
 #include "analysis/remnants/origin.hpp"
 #include "campaign/job_folder/job_directory.hpp"
 #include "solver/base/error.hpp"
@@ -48,12 +49,22 @@ void RunPictures::choose_frame(const std::vector<std::size_t>& chosen, std::opti
   frame_ = pictures::frame_of(layouts_, width);
 }
 
+std::vector<Moment> RunPictures::course() const {
+  std::vector<Moment> course;
+  for (const job_folder::SnapshotFile& file : snapshots_) {
+    const pictures::Layout layout = pictures::layout_of(io::read_snapshot(file.path));
+    course.push_back({file.time, layout.bodies.size(), layout.bodies.front().length});
+  }
+  return course;
+}
+
 pictures::PanelsFigure RunPictures::figure(const std::vector<std::size_t>& chosen,
                                            std::size_t first_layout) const {
   pictures::PanelsFigure figure{{}, frame_.width, scale_};
   for (std::size_t p = 0; p < chosen.size(); ++p) {
     const io::Snapshot snapshot = io::read_snapshot(snapshots_[chosen[p]].path);
     const pictures::Layout& layout = layouts_[first_layout + p];
+    figure.title = drawing::impact_words(snapshot.scene);
     figure.panels.push_back(
         {snapshot.state.time,
          pictures::panel_image(view(snapshot), frame_, pictures::frame_centre(frame_, layout),

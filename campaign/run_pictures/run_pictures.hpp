@@ -7,6 +7,7 @@
 #include "analysis/pictures/panels_figure.hpp"
 #include "analysis/pictures/particle_view.hpp"
 #include "campaign/job_folder/snapshot_files.hpp"
+#include "campaign/run_pictures/telling_moments.hpp"
 #include "solver/io/snapshot.hpp"
 
 namespace eerie::run_pictures {
@@ -28,7 +29,11 @@ class RunPictures {
   void choose_frame(const std::vector<std::size_t>& chosen, std::optional<double> width,
                     double part);
 
-  /// A figure with a panel for each chosen snapshot. The first panel has the layout `first_layout`.
+  /// The course of the impact, a moment for each snapshot. It reads all of them.
+  std::vector<Moment> course() const;
+
+  /// A figure with a panel for each chosen snapshot, and the impact in its title. The first panel
+  /// has the layout `first_layout`.
   pictures::PanelsFigure figure(const std::vector<std::size_t>& chosen,
                                 std::size_t first_layout = 0) const;
 

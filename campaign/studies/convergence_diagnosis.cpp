@@ -21,17 +21,17 @@ std::optional<double> ratio(double above, double below) {
   return below > 0 ? std::optional(above / below) : std::nullopt;
 }
 constexpr Column diagnosis_columns[] = {
-    {"viscous / EOS pressure", true,
+    {"viscous / elastic pressure", true,
      [](const job_folder::HistoryRow& r) {
        return ratio(r.viscous_pressure_Pa, r.eos_pressure_Pa);
      }},
     {"mass without pressure", false,
      [](const job_folder::HistoryRow& r) { return std::optional(r.pressureless); }},
-    {"density / by arrangement", false,
+    {"density / summed density", false,
      [](const job_folder::HistoryRow& r) {
        return ratio(r.density_kg_per_m3, r.summed_density_kg_per_m3);
      }},
-    {"viscous / all heat", false,
+    {"viscous heat / all heat", false,
      [](const job_folder::HistoryRow& r) {
        return ratio(r.viscous_heat_J, r.viscous_heat_J + r.friction_heat_J);
      }},

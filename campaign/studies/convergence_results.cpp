@@ -150,11 +150,12 @@ std::string cells_csv(const std::vector<ConvergenceCell>& cells) {
 std::optional<figures::ConvergenceFigure> figure_of(const ConvergenceStudy& study,
                                                     const ConvergenceStudy::Case& one,
                                                     const std::vector<ConvergenceCell>& cells) {
-  figures::ConvergenceFigure figure{one.title,
-                                    study.schemes,
-                                    {{"b/a", one.published.b_over_a, {}},
-                                     {"M_1/M", one.published.m_1_over_m_total, {}},
-                                     {"period (h)", one.published.period_h, {}}}};
+  figures::ConvergenceFigure figure{
+      one.title,
+      study.schemes,
+      {{"b/a of the largest", one.published.b_over_a, {}},
+       {"mass of the largest / all", one.published.m_1_over_m_total, {}},
+       {"spin period (h)", one.published.period_h, {}}}};
   for (figures::ConvergencePanel& panel : figure.panels) {
     panel.series.resize(study.schemes.size());
     panel.earlier.resize(study.schemes.size());

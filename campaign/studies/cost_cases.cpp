@@ -59,8 +59,14 @@ std::string cost_cells_csv(const CostStudy& study, const std::vector<CostCell>& 
 
 figures::MatrixFigure cost_matrix(const CostStudy& study, const std::vector<CostCell>& cells) {
   figures::MatrixFigure figure;
-  figure.caption = "b/a and mass (in parts of all) of the largest remnant; blue: b/a < 0.3";
-  for (const CostStudy::Case& one : study.cases) figure.columns.push_back(one.name);
+  figure.title = fmt::format("{}: what each setting makes of each impact", study.name);
+  figure.caption =
+      "b/a and mass (in parts of all) of the largest remnant; blue: b/a < 0.3; blank: not run";
+  for (const CostStudy::Case& one : study.cases) {
+    figure.columns.push_back(one.name);
+    const bool named = one.title.starts_with(one.name + ":");
+    figure.notes.push_back(named ? one.title : fmt::format("{}: {}", one.name, one.title));
+  }
   for (std::size_t s = 0; s < study.settings.size(); ++s) {
     if (std::ranges::find(cells, s, &CostCell::setting) == cells.end()) continue;
     const CostStudy::Setting& setting = study.settings[s];

@@ -223,11 +223,19 @@ std::string fidelity_of_setting(const CostStudy& study, const std::vector<CostRu
   return std::string(sweeps::fidelity_of(to_json(run->scene)));
 }
 
+std::string reference_words(const CostStudy& study) {
+  const auto found = std::ranges::find(study.settings, reference_knob, &CostStudy::Setting::knob);
+  return found == study.settings.end() ? "none" : found->label;
+}
+
 }  // namespace
 
 figures::AccuracyFigure cost_figure(const CostStudy& study, const std::vector<CostPoint>& points) {
   figures::AccuracyFigure figure{
-      {"b/a", "c/a", "mass of the largest / all", "period, relative"}, {}, {}};
+      {"b/a", "c/a", "mass of the largest / all", "period, relative"},
+      {},
+      fmt::format("{}: error against cost, {} impacts; reference: {}", study.name,
+                  study.cases.size(), reference_words(study))};
   const std::vector<CostRun> runs = runs_of(study);
   for (const CostPoint& p : points) {
     const CostStudy::Setting& s = study.settings[p.setting];

@@ -16,6 +16,11 @@ struct Fidelity {
   /// run (docs/notebook/convergence/errors.py); 0: not known.
   double core_seconds = 0, error = 0;
   bool is_rung = true;  ///< whether it belongs to the ladder of the default scheme
+  int seeds = 1;        ///< as many as its question needs
+  /// The part of single runs whose class is the most frequent one of finer runs; 0: not known.
+  double class_agrees = 0;
+  const char* question = "";  ///< what it is for
+  const char* caution = "";   ///< what can go wrong
 };
 
 /// The settings of all rungs. They take the default scheme. Runs end when remnants have settled, or
@@ -29,16 +34,20 @@ inline constexpr const char* rung_settings =
 /// The rungs of the ladder, cheapest first, and the settings of the paper for comparison.
 inline constexpr Fidelity fidelities[] = {
     // This is the smallest number of particles that makes an impactor of q = 0.25.
-    {"sketch", R"({"numerics": {"particles_per_target": 400}})", 2.2, 0.19},
-    {"survey", R"({"numerics": {"particles_per_target": 1000}})", 6.5, 0.16},
-    {"standard", R"({"numerics": {"particles_per_target": 5000}})", 55, 0.1},
-    {"fine", R"({"numerics": {"particles_per_target": 20000}})", 600, 0.07},
+    {"sketch", R"({"numerics": {"particles_per_target": 400}})", 2.2, 0.19, true, 1, 0.74,
+     "Where does anything happen?", "too stout by 0.1 and more: EERs are missed"},
+    {"survey", R"({"numerics": {"particles_per_target": 1000}})", 6.5, 0.16, true, 2, 0.87,
+     "What does the map look like?", "the ridge of 50 deg and small EERs are missed"},
+    {"standard", R"({"numerics": {"particles_per_target": 5000}})", 55, 0.1, true, 4, 1,
+     "What is b/a of this impact, and is it an EER?", "on the ridge of 50 deg b/a too low by 0.1"},
+    {"fine", R"({"numerics": {"particles_per_target": 20000}})", 600, 0.07, true, 3, 0.97,
+     "Does it hold with more particles?", "three pieces still differ from run to run"},
     // The particle number, scheme and time of Sugiura, Kobayashi & Inutsuka (2019). A run may end
     // earlier once it has settled by the default tolerances, which changes b/a by at most 0.006.
     {"paper",
      R"({"numerics": {"scheme": "libersky-petschek-2018", "particles_per_target": 50000},
          "end": {"time_s": 100000, "settled": {"window_s": 4000}}})",
-     2000, 0, false},
+     2000, 0, false, 1, 0, "What did the paper compute?", "one run each so far"},
 };
 
 /// The fidelity of scenes that name no scheme.

@@ -129,16 +129,19 @@ Row measure(int jobs) {
 }
 
 void draw(const fs::path& csv, const fs::path& picture) {
-  drawing::Script script = drawing::gnuplot_terminal(picture, 255, 330);
+  drawing::Script script = drawing::gnuplot_terminal(picture, 255, 270);
   script += bench::data_block("$rows", csv);
   script += drawing::Literal(R"(
 set logscale xy
 set format x '10^{%T}'
-set xlabel 'jobs in the database'
+set xlabel 'jobs in the database' offset 0,0.5
 set xrange [700:150000]
-set key outside bottom center vertical maxrows 3 samplen 1
+set border lw 0.5
+set tics scale 0.5
+set title 'A campaign of many jobs: time of each command' font ',7'
+set key outside top left horizontal Left reverse samplen 1 maxcols 2 font ',6.5'
 set grid ytics lc rgb '#dddddd'
-set ylabel 'time, s  (overhead: s per job)'
+set ylabel 'time (s); overhead: s per job' offset 1
 plot $rows using 1:2 with linespoints pt 7 lc rgb '#0072b2' title 'submit (at most 10)', \
      $rows using 1:3 with linespoints pt 5 lc rgb '#d55e00' title 'status (0.2)', \
      $rows using 1:4 with linespoints pt 9 lc rgb '#009e73' title 'query (0.2)', \

@@ -21,10 +21,11 @@ set border lw 0.5
 set tics scale 0.5 font ',7'
 set xlabel font ',8'
 set ylabel font ',8'
-set key font ',7' samplen 1.5
+set key font ',7' samplen 1.5 Left reverse
+set format y '%g'
 saved(stop, end) = stop < 0 ? 0 : 100 * (1 - stop / end)
 set xrange [0:100]
-set xlabel 'time saved (% of 10^5 s)' offset 0,0.5
+set xlabel 'time saved (% of 100,000 s)' offset 0,0.5
 set multiplot layout 1,2
 stats $strict using 7 nooutput
 runs = STATS_records
@@ -34,7 +35,8 @@ set key top left
 plot $strict using (saved($7, $8)):(100. / runs) smooth cumulative with steps lw 1.5 lc rgb '{0}' title 'default tolerances', \
   $survey using (saved($7, $8)):(100. / runs) smooth cumulative with steps lw 1.5 lc rgb '{1}' title 'survey'
 set yrange [-0.02:0.02]
-set ylabel 'b/a at 10^5 s less at the stop' offset 1.5,0
+set format y '%.3f'
+set ylabel 'b/a at 100,000 s less at the stop' offset 1.5,0
 set key bottom left
 plot 0.01 lw 0.5 dt 3 lc rgb '#777777' notitle, -0.01 lw 0.5 dt 3 lc rgb '#777777' notitle, \
   $strict using (saved($7, $8)):($7 < 0 ? NaN : $12 - $11) with points pt 7 ps 0.45 lc rgb '{0}' title 'default tolerances', \

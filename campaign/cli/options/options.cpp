@@ -32,10 +32,10 @@ void add_changes(CLI::App& app, SceneChanges& changes) {
   app.add_option("--set", changes.overrides,
                  "override a field of the scene, PATH=VALUE; may be repeated")
       ->allow_extra_args(false);
-  app.add_option(
-      "--fidelity", changes.fidelity,
-      "settings by name: sketch, survey, standard, fine or paper (run: auto, too), before those of "
-      "the file; --set goes before them (default: standard, behind those of the file)");
+  app.add_option("--fidelity", changes.fidelity,
+                 "settings by name: sketch, survey, standard, fine or paper (run, expand: auto, "
+                 "too), before those of "
+                 "the file; --set goes before them (default: standard, behind those of the file)");
 }
 
 void add_share(CLI::App& app, int& workers, int& threads_per_job) {

@@ -1,5 +1,6 @@
 #include "campaign/cli/options/particle_pictures.hpp"
 
+#include "campaign/cli/output/complain.hpp"
 #include "campaign/cli/output/files.hpp"
 #include "campaign/queries/numbers.hpp"
 #include "db/store/bind.hpp"
@@ -13,7 +14,7 @@ void add_pictures(CLI::App& app, PictureArguments& a) {
                  "(.svg, .png, .pdf)");
   app.add_option("--panels", a.times,
                  "times of the panels, s, with commas; the nearest snapshots are taken (default: "
-                 "five of those that there are)");
+                 "contact, longest, first separation, fall-back, end)");
   app.add_option("--movie", r.film, "make every snapshot a frame of this film (.mp4, .gif)");
   app.add_option("--frames-per-second", r.frames_per_s, "of the film")
       ->check(CLI::Range(0.1, 120.0))
@@ -54,6 +55,12 @@ Answer draw_pictures(const PictureArguments& a, const std::filesystem::path& fol
                  {"pictures", names_of(files)}};
   answer.add(std::move(drawn.panels));
   if (drawn.frames > 0) answer.say("{} frames\n", drawn.frames);
+  constexpr std::size_t few_frames = 10;
+  if (drawn.frames > 0 && drawn.frames < few_frames)
+    print_warnings(
+        {fmt::format("a film of {} frame{}, as the run wrote so many snapshots; a run with "
+                     "output.snapshot_interval_s writes more",
+                     drawn.frames, drawn.frames == 1 ? "" : "s")});
   answer.say("{:.4g} m wide, about the {}\n", drawn.frame.width, centre);
   answer.add_files(files);
   return answer;

@@ -19,7 +19,8 @@ struct PictureArguments {
 void add_pictures(CLI::App& app, PictureArguments& arguments);
 
 /// Draws the snapshots of a job directory. Answers
-/// {"panels": [{"requested_s" (null where chosen), "time_s", "file", "remnants_outside"}],
+/// {"panels": [{"requested_s" (null where chosen), "time_s", "moment", "file",
+/// "remnants_outside"}],
 ///  "frames", "frame_width_m", "centred_on", "pictures": [file...]}.
 /// Throws InputError for what cannot be drawn.
 Answer draw_pictures(const PictureArguments& arguments, const std::filesystem::path& folder);

@@ -2,6 +2,8 @@
 #include <optional>
 
 #include "analysis/drawing/gnuplot.hpp"
+#include "analysis/drawing/grouped.hpp"
+#include "analysis/drawing/impact_words.hpp"
 #include "analysis/light_curve/light_curve_figure.hpp"
 #include "analysis/light_curve/turning_remnant.hpp"
 #include "campaign/cli/options/command_list.hpp"
@@ -59,7 +61,10 @@ Answer show_light_curve(const LightCurveArguments& a) {
   const light_curve::TurningRemnant seen = light_curve::remnant_of(snapshot, a.rank, path);
   const light_curve::LightCurveFigure figure{
       light_curve::light_curve(seen.body, radians(a.aspect_deg)),
-      light_curve::amplitudes_over_aspect(seen.body)};
+      light_curve::amplitudes_over_aspect(seen.body),
+      drawing::marked_up("{}; remnant {} at {} s", drawing::impact_words(snapshot.scene), a.rank,
+                         drawing::in_quotes(drawing::grouped(std::llround(snapshot.state.time)))),
+      seen.period.value_or(0)};
   const double by_particles = light_curve::amplitude(figure.curve.particles);
   const double by_ellipsoid =
       light_curve::ellipsoid_amplitude(seen.body.shape, figure.curve.aspect);

@@ -1,7 +1,10 @@
 #include <algorithm>
 
 #include "campaign/cli/options/command_list.hpp"
+#include "campaign/overview/advice.hpp"
 #include "campaign/overview/estimate.hpp"
+#include "campaign/process/cores.hpp"
+#include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/job.hpp"
 #include "campaign/sweeps/plan.hpp"
 #include "db/jobs/jobs.hpp"
@@ -17,8 +20,40 @@ struct ExpandArguments {
   bool list = false;
 };
 
+/// Which settings? For the impacts of this sweep, on this machine.
+void say_advice(Answer& answer, const overview::Advice& advice) {
+  constexpr double night_h = 8;
+  const std::size_t cores = process::usable_cores();
+  Table table = overview::table_of(advice);
+  answer.data["advice"] = {{"impacts", advice.impacts},
+                           {"fidelities", records(table)},
+                           {"auto",
+                            {{"core_hours_least", advice.auto_least_core_hours},
+                             {"core_hours_most", advice.auto_most_core_hours}}}};
+  answer.say("\nWhich settings? For {} impact{}, with as many seeds as the question needs:\n\n",
+             advice.impacts, advice.impacts == 1 ? "" : "s");
+  answer.add(std::move(table));
+  answer.say(
+      "auto: {:.3g} core-hours for two sketches of each; finer runs and more seeds where in doubt, "
+      "{:.3g} at most\n",
+      advice.auto_least_core_hours, advice.auto_most_core_hours);
+  if (const auto best = overview::finest_within(advice, night_h, cores))
+    answer.say("A night ({:g} h, {} core{}) is enough for --fidelity {} with {} seed{}.\n", night_h,
+               cores, cores == 1 ? "" : "s", best->fidelity, best->seeds,
+               best->seeds == 1 ? "" : "s");
+  else
+    answer.say("A night ({:g} h, {} core{}) is too short for all of them.\n", night_h, cores,
+               cores == 1 ? "" : "s");
+}
+
+/// `auto` begins with sketches.
+SceneChanges first_of(SceneChanges changes) {
+  if (changes.fidelity == "auto") changes.fidelity = sweeps::fidelities[0].name;
+  return changes;
+}
+
 Answer expand(const ExpandArguments& a) {
-  const sweeps::Plan plan = sweeps::load_plan(a.sweep, a.changes);
+  const sweeps::Plan plan = sweeps::load_plan(a.sweep, first_of(a.changes));
   const std::vector<db::NewJob>& jobs = plan.jobs;
   std::vector<std::string> warned = plan.replaced;
   std::ranges::move(sweeps::cautions(plan.scenes), std::back_inserter(warned));
@@ -44,6 +79,7 @@ Answer expand(const ExpandArguments& a) {
       "about {:.3g} core-hours for all of them, at {} particle-steps per second and core ({})\n",
       e.core_hours, magnitude(e.speed),
       e.measured ? "as measured in this database" : "assumed: nothing is measured yet");
+  say_advice(answer, overview::advice(plan.scenes, e.speed));
   for (const std::string& warning : warned) answer.warn(warning);
   return answer;
 }

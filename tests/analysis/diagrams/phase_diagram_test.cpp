@@ -63,7 +63,7 @@ TEST(PhaseDiagram, EveryResultShowsColourValueAndClass) {
     EXPECT_THAT(text, HasSubstr(drawing::hex(drawing::b_over_a_colour(*cell.b_over_a))));
     EXPECT_THAT(text, HasSubstr("\"" + std::to_string(*cell.b_over_a).substr(0, 4) + "\""));
   }
-  for (const char* letter : {"\"M\"", "\"M?\"", "\"G\"", "\"H\"", "\"D\""})
+  for (const char* letter : {"\"M\"", "\"G\"", "\"H\"", "\"D\""})
     EXPECT_THAT(text, HasSubstr(letter));
 }
 
@@ -164,6 +164,47 @@ TEST(PhaseFigure, HasAPanelForEachQuantityWithItsOwnScale) {
           .commands.text();
   EXPECT_EQ(count(text, "plot $none"), 3u);
   EXPECT_EQ(count(text, "set colorbox vertical"), 2u);
+}
+
+TEST(PhaseFigure, LettersStandOnceInThePanelOfClassesOrInTheFirst) {
+  const std::string two =
+      phase_script({{small_map()}, {MapQuantity::b_over_a, MapQuantity::m_lr}}).commands.text();
+  const std::string one = script(small_map());
+  EXPECT_EQ(count(two, "\"G\""), count(one, "\"G\""));
+  const PhaseLayout page =
+      phase_layout({{small_map()}, {MapQuantity::b_over_a, MapQuantity::outcome}}, 20);
+  EXPECT_FALSE(page.panels[0].letters);
+  EXPECT_TRUE(page.panels[1].letters);
+}
+
+TEST(PhaseFigure, GridsThatDifferHaveAxesOfTheirOwn) {
+  PhaseDiagram other = small_map();
+  EXPECT_FALSE(phase_layout({{small_map(), other}}, 20).own_axes);
+  for (PhaseCell& cell : other.cells) cell.v_imp_cm_per_s += 30;
+  const PhaseLayout page = phase_layout({{small_map(), other}}, 20);
+  EXPECT_TRUE(page.own_axes);
+  EXPECT_LT(page.panels[0].frame.v_high, page.panels[1].frame.v_low);
+  for (const PhasePanel& panel : page.panels) EXPECT_TRUE(panel.labels_left && panel.labels_below);
+}
+
+TEST(PhaseFigure, ADiagramWithoutAnyResultIsNamedAndNotDrawn) {
+  PhaseDiagram empty = small_map();
+  empty.phi_d_deg = 50;
+  for (PhaseCell& cell : empty.cells) cell = {cell.v_imp_cm_per_s, cell.theta_imp_deg};
+  const std::string text = phase_script({{small_map(), empty}}).commands.text();
+  EXPECT_EQ(count(text, "plot $none"), 1u);
+  EXPECT_THAT(text, HasSubstr("= 50°: not run yet\""));
+  EXPECT_EQ(count(phase_script({{empty}}).commands.text(), "plot $none"), 1u) << "alone it is";
+}
+
+TEST(PhaseFigure, TheLegendFillsAFreePlaceAmongThePanels) {
+  const PhaseFigure five{{small_map()},
+                         {MapQuantity::b_over_a, MapQuantity::c_over_a, MapQuantity::m_lr,
+                          MapQuantity::period, MapQuantity::outcome}};
+  const PhaseLayout page = phase_layout(five, 0);
+  ASSERT_TRUE(page.gap);
+  EXPECT_NEAR(phase_script(five).height_pt, page.height, 1e-9) << "no rows below the panels";
+  EXPECT_FALSE(phase_layout({{small_map()}, {MapQuantity::b_over_a}}, 0).gap);
 }
 
 TEST(PhaseFigure, PanelsStandInThePageAndApart) {

@@ -33,12 +33,12 @@ TEST(ConvergenceFigure, IsDrawnAndReplacesNothingWhenThereIsNothingToDraw) {
 
 TEST(ConvergenceFigure, ShowsEveryPointWithItsBarsAndThePublishedNumberOnce) {
   const std::string script = convergence_script(small_figure()).text();
-  EXPECT_THAT(script, HasSubstr(" 0.3 0.02 0.27 0.33\n"));
-  EXPECT_THAT(script, HasSubstr(" 0.25 0 0.25 0.25\n"));
+  EXPECT_THAT(script, HasSubstr(" 0.3 0.28 0.32\n"));
+  EXPECT_THAT(script, HasSubstr(" 0.25 0.25 0.25\n"));
   EXPECT_THAT(script, HasSubstr("plot 0.24 with lines"));
-  EXPECT_THAT(script, HasSubstr("title 'published'"));
-  EXPECT_THAT(script, HasSubstr("title \"one\""));
-  EXPECT_THAT(script, Not(HasSubstr("title \"other\""))) << "it has no points";
+  EXPECT_THAT(script, HasSubstr("set label \"published\""));
+  EXPECT_THAT(script, HasSubstr("set label \"one\""));
+  EXPECT_THAT(script, Not(HasSubstr("set label \"other\""))) << "it has no points";
 }
 
 TEST(ConvergenceFigure, ShowsWhatWasSeenEarlierAsOpenMarksWithinThePanel) {
@@ -49,7 +49,7 @@ TEST(ConvergenceFigure, ShowsWhatWasSeenEarlierAsOpenMarksWithinThePanel) {
   const std::string script = convergence_script(figure).text();
   EXPECT_THAT(script, HasSubstr("$p0s0e << EOD\n975 0.9\nEOD\n")) << "beside, as its series";
   EXPECT_THAT(script, HasSubstr("$p0s0e using 1:2 with points pt 6"));
-  EXPECT_THAT(script, HasSubstr("title \"at 100000 s\""));
+  EXPECT_THAT(script, HasSubstr("set label \"at 100000 s\""));
   EXPECT_THAT(script, testing::ContainsRegex("set yrange \\[[0-9.]+:0\\.9[0-9]+\\]"));
   const test::TemporaryFolder folder;
   draw_convergence(folder / "a.svg", figure);

@@ -126,13 +126,16 @@ TEST(LightCurve, TablesNameTheirUnits) {
 TEST(LightCurveFigure, HasBothPanelsInEveryFormat) {
   const test::TemporaryFolder folder;
   const SpinningBody body = lattice_body({40, 20, 20});
-  const LightCurveFigure figure{light_curve(body, radians(60), 12),
-                                amplitudes_over_aspect(body, 4)};
+  LightCurveFigure figure{light_curve(body, radians(60), 12), amplitudes_over_aspect(body, 4)};
   draw_light_curve(folder / "a.svg", figure);
   const std::string svg = read_file(folder / "a.svg");
-  for (const char* words :
-       {"rotation phase", "aspect 60°", "ellipsoid of inertia", "amplitude (mag)", "Oumuamua"})
+  for (const char* words : {"part of one rotation", "aspect of 60°", "ellipsoid of inertia",
+                            "amplitude (mag)", "Oumuamua"})
     EXPECT_THAT(svg, HasSubstr(words));
+  figure.title = drawing::in_quotes("remnant 2"), figure.period_s = 7.5 * 3600;
+  const std::string script = light_curve_script(figure).text();
+  for (const char* words : {"\"remnant 2\"", "time (h)", "set xrange [0:7.5]", "\n7.5 "})
+    EXPECT_THAT(script, HasSubstr(words));
   draw_light_curve(folder / "a.png", figure);
   EXPECT_THAT(read_file(folder / "a.png"), testing::StartsWith("\x89PNG"));
   draw_light_curve(folder / "a.pdf", figure);

@@ -171,8 +171,8 @@ TEST(CostStudy, DrawsKnobsByNameAndTheDefaultAsAStar) {
   EXPECT_TRUE(figure.series[0].is_default);
   EXPECT_EQ(figure.series[1].points.size(), 2u);
   const std::string script = figures::accuracy_script(figure).text();
-  EXPECT_THAT(script, HasSubstr("title \"cfl\""));
-  EXPECT_THAT(script, HasSubstr("title 'frontier'"));
+  EXPECT_THAT(script, HasSubstr("set label \"cfl\""));
+  EXPECT_THAT(script, HasSubstr("set label \"frontier: "));
   EXPECT_THAT(script, Not(HasSubstr("some impacts only")));
 }
 
