@@ -59,15 +59,16 @@ class MergedDatabases : public testing::Test {
   Ended eerie(const std::vector<std::string>& words) { return test::eerie(folder.path(), words); }
   Ended run(const char* sweep, const char* database, std::vector<std::string> more = {}) {
     more.insert(more.begin(), {"run", sweep, "--db", database, "--workers", "2"});
-    return eerie(more);
+    return test::Program(folder.path(), more).wait(std::chrono::seconds(900));
   }
   test::TemporaryFolder folder;
 };
 
 TEST_F(MergedDatabases, OfTwoHalvesOfTable2AreTheWhole) {
   const json whole = json::parse(read_file(test::source_folder() / "sweeps/table2-fig2b.json"));
-  const std::vector<std::string> small = {"--set", "numerics.particles_per_target=100", "--set",
-                                          "end.time_s=600"};
+  const std::vector<std::string> small = {"--set", "numerics.particles_per_target=100",
+                                          "--set", "end.time_s=300",
+                                          "--set", "numerics.packing=lattice"};
   const auto part = [&](const char* name, int from, int to) {
     json sweep = whole;
     sweep["grid"]["v_imp_cm_per_s"] = {{"from", from}, {"to", to}, {"step", 1}};

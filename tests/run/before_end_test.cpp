@@ -50,6 +50,21 @@ TEST(BeforeEnd, IsTheLastStateThatARunWithALaterEndHasToo) {
   }
 }
 
+TEST(BeforeEnd, IsOneForARunThatWaitsForItsRemnantsToo) {
+  const auto waits_until = [](double latest_s) {
+    return short_impact({{"end", {{"time_s", 90}, {"latest_s", latest_s}}}});
+  };
+  RunOptions options;
+  options.will_meet = [](const io::Snapshot&) { return true; };
+  const TemporaryFolder whole, early, folder;
+  EXPECT_EQ(run_in(whole, waits_until(180), options).summary.reason, EndReason::latest_time);
+  EXPECT_EQ(run_in(early, waits_until(120), options).summary.reason, EndReason::latest_time);
+  going_on(early, folder, waits_until(180), options);
+  EXPECT_THAT(
+      differences(io::read_snapshot(folder / final_file), io::read_snapshot(whole / final_file)),
+      IsEmpty());
+}
+
 TEST(BeforeEnd, TheEndItselfIsNoSuchStateSinceItsLastCycleIsMadeToEndThere) {
   // Guards the test above: it would be simpler to go on from final.hdf5, and wrong.
   const TemporaryFolder whole, early, folder;
