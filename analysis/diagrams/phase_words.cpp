@@ -78,6 +78,8 @@ std::vector<std::vector<Point>> placings(const Area& cell, std::span<const CellL
               lower = room_for(cell, lines[1].width(), lines[1].height());
   for (const double part : {0.5, 1.0})
     all.push_back({{c.x + part * upper.x, c.y + upper.y}, {c.x - part * lower.x, c.y - lower.y}});
+  // The wider line may have room on the other side alone.
+  all.push_back({{c.x - upper.x, c.y - upper.y}, {c.x + lower.x, c.y + lower.y}});
   return all;
 }
 

@@ -43,8 +43,8 @@ struct CellLine {
 };
 
 /// Where lines stand in a cell, from the top down. Nothing lies on the curve or on `taken`, where
-/// the cell has such a place: the middle if it is free, else aside, else one line above and one
-/// below the curve. Otherwise they stand in the middle.
+/// the cell has such a place: the middle if it is free, else aside, else one line on each side of
+/// the curve. Otherwise they stand in the middle.
 std::vector<drawing::Point> places_of_words(const drawing::Area& cell,
                                             std::span<const CellLine> lines,
                                             const PanelFrame& frame, std::optional<double> curve,

@@ -194,7 +194,7 @@ Script names(const AccuracyFigure& figure, std::size_t p) {
   const MarkCosts costs = mark_costs(figure, p);
   each_point(figure, [&](const AccuracyPoint& x) {
     if (!x.name.empty())
-      text += script("set label {} at {},{} right offset -0.2,-0.6 font ',6.5'\n",
+      text += script("set label {} at {},{} right offset -0.2,-0.6 front font ',6.5'\n",
                      in_quotes(x.name), costs.at(&x), height(x.errors[p]));
   });
   return text;

@@ -44,9 +44,10 @@ Script data_blocks(const ConvergenceFigure& figure) {
     for (std::size_t s = 0; s < figure.series.size(); ++s) {
       text += block_name(p, s) + " << EOD\n";
       for (const ConvergencePoint& x : figure.panels[p].series[s])
-        text += figure.over_time ? script("{} {}\n", x.at, x.mean)
-                                 : script("{} {} {} {}\n", beside(x.at, s, figure.series.size()),
-                                          x.mean, x.mean - x.deviation, x.mean + x.deviation);
+        text += figure.over_time
+                    ? script("{} {}\n", x.at, x.mean)
+                    : script("{} {:.10g} {:.10g} {:.10g}\n", beside(x.at, s, figure.series.size()),
+                             x.mean, x.mean - x.deviation, x.mean + x.deviation);
       text += "EOD\n";
       if (!has_earlier(figure.panels[p], s)) continue;
       text += earlier_name(p, s) + " << EOD\n";

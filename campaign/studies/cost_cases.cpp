@@ -60,8 +60,8 @@ std::string cost_cells_csv(const CostStudy& study, const std::vector<CostCell>& 
 figures::MatrixFigure cost_matrix(const CostStudy& study, const std::vector<CostCell>& cells) {
   figures::MatrixFigure figure;
   figure.title = fmt::format("{}: what each setting makes of each impact", study.name);
-  figure.caption =
-      "b/a and mass (in parts of all) of the largest remnant; blue: b/a < 0.3; blank: not run";
+  figure.caption = "b/a and mass (in parts of all) of the largest remnant; blue: b/a < 0.3";
+  bool has_blanks = false;
   for (const CostStudy::Case& one : study.cases) {
     figure.columns.push_back(one.name);
     const bool named = one.title.starts_with(one.name + ":");
@@ -82,7 +82,10 @@ figures::MatrixFigure cost_matrix(const CostStudy& study, const std::vector<Cost
         row.cells[x.case_index] = {
             x.b_over_a.mean,
             fmt::format("{}  {}", two_digits(x.b_over_a.mean), two_digits(x.m_1.mean))};
+    has_blanks =
+        has_blanks || std::ranges::any_of(row.cells, [](const auto& cell) { return !cell; });
   }
+  if (has_blanks) figure.caption += "; blank: not run";
   return figure;
 }
 

@@ -60,8 +60,8 @@ TEST_F(Gnuplot, PngIsAsWideAsAColumnAt360DotsPerInch) {
 TEST_F(Gnuplot, SvgShowsValuesColoursAndAxes) {
   draw_phase_diagram(folder_ / "map.svg", small_map());
   const std::string svg = read_file(folder_ / "map.svg");
-  for (const char* words : {">0.24<", ">0.47<", ">M?<", ">22<", ">2.5<", "cm/s)", "deg)",
-                            "of the largest remnant", "1000 particles per target"})
+  for (const char* words : {">0.24<", ">0.47<", ">M<", ">22<", ">2.5<", "cm/s)", "deg)",
+                            "of the largest remnant", "1,000 particles per target"})
     EXPECT_THAT(svg, HasSubstr(words));
   std::string packed = svg;  // "rgb( 73, 137, 199)"
   std::erase(packed, ' ');

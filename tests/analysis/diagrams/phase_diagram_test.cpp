@@ -148,11 +148,11 @@ TEST(PhaseDiagram, QuantitiesStandBesideTheirScale) {
 TEST(PhaseFigure, HasAPanelForEachPlaceWithOneScale) {
   PhaseDiagram other = small_map();
   other.phi_d_deg = 50, other.threshold_cm_per_s = 7.4;
-  for (PhaseCell& cell : other.cells) cell.v_imp_cm_per_s += 10;
+  for (PhaseCell& cell : other.cells) cell.v_imp_cm_per_s += 2;
   const std::string text = phase_script({{small_map(), other}}).commands.text();
   EXPECT_EQ(count(text, "plot $none"), 2u);
   EXPECT_EQ(count(text, "set colorbox vertical"), 1u);
-  EXPECT_EQ(count(text, "set xrange [13.5:34]"), 2u);
+  EXPECT_EQ(count(text, "set xrange [13.5:26]"), 2u);
   EXPECT_THAT(text, HasSubstr("= 40°,  v sin θ = 5.1 cm/s\""));
   EXPECT_THAT(text, HasSubstr("= 50°,  v sin θ = 7.4 cm/s\""));
 }

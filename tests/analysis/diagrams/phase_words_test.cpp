@@ -46,7 +46,8 @@ TEST(PlacesOfWords, KeepAwayFromTheCurveWhereverACellHasRoom) {
         EXPECT_GE(box.low.y, cell.low.y);
         EXPECT_LE(box.high.y, cell.high.y);
       }
-      EXPECT_GE(places[0].y - places[1].y, (lines[0].height() + lines[1].height()) / 2 - 1e-9);
+      EXPECT_GE(std::abs(places[0].y - places[1].y),
+                (lines[0].height() + lines[1].height()) / 2 - 1e-9);
     }
   EXPECT_GT(crossed, 5);
 }
