@@ -114,7 +114,8 @@ TEST_F(FirstMinutes, EndWithCommandsThatCanBePastedAsTheyStand) {
   EXPECT_THAT(commands, Contains(HasSubstr("eerie check ")));
   EXPECT_THAT(commands, Contains(HasSubstr("--set end.time_s=600")));
   for (const std::string& line : commands) {
-    if (line.starts_with("eerie ")) EXPECT_EQ(paste(line), 0) << line << "\n" << pasted();
+    if (!line.starts_with("eerie ")) continue;
+    EXPECT_EQ(paste(line), 0) << line << "\n" << pasted();
   }
   for (const std::string& line : commands)
     EXPECT_THAT(eerie(run).out, HasSubstr("\n    " + line + "\n"));
