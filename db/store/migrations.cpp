@@ -10,12 +10,12 @@
 #include "db/store/bind.hpp"
 #include "db/store/column_meanings.hpp"
 #include "db/store/error.hpp"
-#include "db/store/schema.hpp"
-#include "db/store/schema_2.hpp"
-#include "db/store/schema_3.hpp"
-#include "db/store/schema_4.hpp"
-#include "db/store/schema_5.hpp"
-#include "db/store/schema_6.hpp"
+#include "db/store/schema/schema_1.hpp"
+#include "db/store/schema/schema_2.hpp"
+#include "db/store/schema/schema_3.hpp"
+#include "db/store/schema/schema_4.hpp"
+#include "db/store/schema/schema_5.hpp"
+#include "db/store/schema/schema_6.hpp"
 #include "solver/base/text/shell_word.hpp"
 
 namespace eerie::db {

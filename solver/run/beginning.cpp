@@ -24,12 +24,12 @@ class Begin {
     const auto to_log = [this](const std::string& text) { note(text); };
     if (auto saved = newest_checkpoint(options_.directory, scene_, to_log)) {
       const std::optional<step::Totals> first = initial_totals();
-      if (!first) return NotBegun{*end_, std::move(*saved), steps_};
-      note(
-          fmt::format("going on from t = {:.0f} s, step {}", saved->state.time, saved->state.step));
-      return Beginning{step::Solver(scene_, std::move(saved->state), std::move(*saved->rates),
-                                    *saved->restart, std::move(saved->pressure)),
-                       *first};
+      io::Snapshot& from = saved->state;
+      if (!first) return NotBegun{*end_, std::move(from), steps_};
+      note(fmt::format("going on from t = {:.0f} s, step {}", from.state.time, from.state.step));
+      return Beginning{step::Solver(scene_, std::move(from.state), std::move(*from.rates),
+                                    *from.restart, std::move(from.pressure)),
+                       *first, saved->is_final};
     }
     io::Snapshot start{scene_, made_impact(), {}, {}, {}};
     if (end_) return NotBegun{*end_, std::move(start), steps_};

@@ -10,7 +10,8 @@ namespace eerie::run {
 /// The solver with which a run begins.
 struct Beginning {
   step::Solver solver;
-  step::Totals first;  ///< at time 0
+  step::Totals first;      ///< at time 0
+  bool has_ended = false;  ///< an earlier attempt reached its end with this state
 };
 
 /// The state of a run that was stopped before it could begin. The files settling_target.hdf5 and

@@ -45,14 +45,14 @@ void install_checkpoint(const fs::path& directory, const io::Snapshot& checkpoin
   io::write_snapshot(directory / checkpoint_file, checkpoint, directory / previous_checkpoint_file);
 }
 
-std::optional<io::Snapshot> newest_checkpoint(const fs::path& directory, const Scene& scene,
-                                              const std::function<void(const std::string&)>& note) {
+std::optional<Saved> newest_checkpoint(const fs::path& directory, const Scene& scene,
+                                       const std::function<void(const std::string&)>& note) {
   for (const std::string name : {final_file, checkpoint_file, previous_checkpoint_file}) {
     auto saved = usable_checkpoint(directory / name, scene, note);
     if (!saved) continue;
     if (name == previous_checkpoint_file)
       replace_file(directory / name, directory / checkpoint_file);
-    return saved;
+    return Saved{*std::move(saved), name == final_file};
   }
   return {};
 }

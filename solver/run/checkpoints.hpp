@@ -25,12 +25,15 @@ std::optional<io::Snapshot> usable_checkpoint(const std::filesystem::path& path,
 /// whole at every instant, since the former one is renamed after the new one is on the disk.
 void install_checkpoint(const std::filesystem::path& directory, const io::Snapshot& checkpoint);
 
+struct Saved {
+  io::Snapshot state;
+  bool is_final;  ///< the run had ended with it
+};
 /// The newest state from which a run of this scene by this solver version can continue: the first
 /// whole file of final, checkpoint and checkpoint_previous. `note` gets the reason for each file
 /// that is skipped. Where checkpoint_previous is taken, it replaces checkpoint.hdf5, so that the
 /// next checkpoint does not keep a useless file as the previous one.
-std::optional<io::Snapshot> newest_checkpoint(const std::filesystem::path& directory,
-                                              const Scene& scene,
-                                              const std::function<void(const std::string&)>& note);
+std::optional<Saved> newest_checkpoint(const std::filesystem::path& directory, const Scene& scene,
+                                       const std::function<void(const std::string&)>& note);
 
 }  // namespace eerie::run

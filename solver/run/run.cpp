@@ -40,6 +40,9 @@ class Schedule {
     return done_ > before;
   }
   long count() const { return done_; }
+  bool falls_on(double now) const {
+    return interval_ > 0 && std::abs(now / interval_ - std::round(now / interval_)) < 1e-9;
+  }
   double next() const {
     return interval_ > 0 ? static_cast<double>(done_ + 1) * interval_
                          : std::numeric_limits<double>::infinity();
@@ -67,6 +70,13 @@ class Ending {
     const double interval = end_.time_s / 30;
     const double asked = std::floor((now - end_.time_s) / interval + 1e-6);
     return std::min(end_.latest_s, end_.time_s + (asked + 1) * interval);
+  }
+  /// Whether a run may end at this moment, other than by settling.
+  bool falls_on(double now) const {
+    if (now < end_.time_s * (1 - rounding)) return false;
+    const double asked = (now - end_.time_s) / (end_.time_s / 30);
+    return now >= std::max(end_.time_s, end_.latest_s) * (1 - rounding) ||
+           std::abs(asked - std::round(asked)) < 1e-9;
   }
   /// Why a run that may end now does; nothing where it goes on.
   template <class MakeSnapshot>
@@ -96,12 +106,13 @@ class Run {
         last_good_(checkpoint()),
         depends_on_end_(has_state_before_end()),
         ending_(scene.end, options.will_meet),
-        goal_(ending_.next(solver_.state().time)) {}
+        goal_(ending_.next(solver_.state().time)),
+        has_ended_(beginning.has_ended) {}
 
   RunSummary go() {
     const long first_step = solver_.state().step;
     RunEnd end = RunEnd::finished;
-    over_ = reason_to_end();
+    over_ = has_ended_ ? old_reason_to_end() : reason_to_end();
     while (!over_) {
       if (options_.max_steps > 0 && solver_.state().step - first_step >= options_.max_steps) {
         end = RunEnd::step_limit;
@@ -161,6 +172,16 @@ class Run {
     const auto reason = ending_.reason(now, [this] { return snapshot(); });
     if (!reason) goal_ = ending_.next(now);
     return reason;
+  }
+
+  /// Of a run that had ended, and was killed before its result was noted.
+  std::optional<EndReason> old_reason_to_end() {
+    const double now = solver_.state().time;
+    if (!ending_.falls_on(now)) return EndReason::settled;
+    if (looks_.falls_on(now) && options_.look &&
+        std::holds_alternative<End>(options_.look(snapshot(), {false, now})))
+      return EndReason::settled;
+    return ending_.reason(now, [this] { return snapshot(); });
   }
 
   bool is_at_goal() const { return solver_.state().time >= goal_ * (1 - Ending::rounding); }
@@ -281,6 +302,7 @@ class Run {
   long cycles_ = 0;  ///< since the start, or since matter got other moduli or landed
   Ending ending_;
   double goal_;                   ///< the run may end then, and is asked again
+  bool has_ended_;                ///< in an earlier attempt
   long earlier_list_builds_ = 0;  ///< of solvers before this one
   std::optional<EndReason> over_;
 };

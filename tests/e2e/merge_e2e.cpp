@@ -37,7 +37,7 @@ std::string lasting_columns(const fs::path& database, const std::string& view) {
   SQLite::Statement select(
       opened, "SELECT group_concat('v.' || name, ', ') FROM pragma_table_info('" + view +
                   "') WHERE name NOT IN ('job', 'settings', 'wall_s', " +
-                  "'threads', 'host', 'finished')");
+                  "'threads', 'host', 'finished', 'job_folder')");
   select.executeStep();
   return select.getColumn(0).getString();
 }

@@ -339,6 +339,37 @@ TEST(Run, EndsOnceItHasSettledWithTheSameBitsAndTheSameStepsAsOneThatGoesOn) {
               IsEmpty());
 }
 
+TEST(Run, ThatEndedBeforeItsResultWasNotedEndsAgainAtOnceForTheSameReason) {
+  const auto scene = [](double end_s, double latest_s) {
+    return short_impact(
+        {{"end", {{"time_s", end_s}, {"latest_s", latest_s}, {"settled", {{"window_s", 160}}}}}});
+  };
+  struct Case {
+    double end_s, latest_s, settles_at_s, meets_until_s;
+    EndReason reason;
+  };
+  // A look every 20 s; whether remnants will meet is asked every 3 s, and 5 s, from the end on.
+  for (const Case& c :
+       {Case{150, 0, 70, 0, EndReason::settled}, Case{150, 0, 1000, 0, EndReason::end_time},
+        Case{120, 0, 120, 0, EndReason::settled}, Case{90, 300, 1000, 100, EndReason::end_time},
+        Case{90, 300, 110, 1000, EndReason::settled},
+        Case{90, 120, 1000, 1000, EndReason::latest_time}}) {
+    RunOptions options;
+    options.look = [&](const io::Snapshot& s, const LookQuestion&) -> LookAnswer {
+      if (s.state.time >= c.settles_at_s) return End{};
+      return GoOn{};
+    };
+    options.will_meet = [&](const io::Snapshot& s) { return s.state.time < c.meets_until_s; };
+    const TemporaryFolder folder;
+    const RunSummary first = run_in(folder, scene(c.end_s, c.latest_s), options).summary;
+    EXPECT_EQ(first.reason, c.reason) << c.end_s << ' ' << c.settles_at_s;
+    const RunSummary again = run_in(folder, scene(c.end_s, c.latest_s), options).summary;
+    EXPECT_EQ(again.reason, first.reason) << c.end_s << ' ' << c.settles_at_s;
+    EXPECT_EQ(again.steps_here, 0) << c.end_s << ' ' << c.settles_at_s;
+    EXPECT_EQ(again.last.state.time, first.last.state.time);
+  }
+}
+
 TEST(Run, DoesNotLookAtRemnantsWhereSettlingIsOff) {
   const Scene scene = short_impact({{"end", {{"time_s", 30}}}});
   RunOptions options;
