@@ -12,6 +12,7 @@ columns=$columns,ended_at_s,end_reason,dL_over_L,particle_steps,wall_s,solver_ve
 
 draw() { # NAME Q PHI_D: the maps of one series, and the ridge where there is one
   map="$of --q $2 --phi-d $3"
+  [ -n "$($eerie query $map --columns hash --format csv --limit 1 | tail -n +2)" ] || return 0
   $eerie map $map -o $out/$1-b-over-a.svg
   $eerie map $map --quantity class,p-eer,m-lr,period -o $out/$1-panels.png
   rm -f $out/$1-panels.csv # the same numbers as in $1-b-over-a.csv
