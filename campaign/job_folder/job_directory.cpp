@@ -97,10 +97,10 @@ std::optional<WorkerProgress> read_progress(const JobDirectory& directory) {
     document->at("time_s").get_to(p.time_s);
     document->at("end_time_s").get_to(p.end_time_s);
     p.expected_end_s = document->value("expected_end_s", p.end_time_s);
-    document->at("step").get_to(p.step);
+    text::read_whole(document->at("step"), p.step);
     document->at("particle_steps").get_to(p.particle_steps);
     document->at("wall_s").get_to(p.wall_s);
-    document->at("pid").get_to(p.pid);
+    text::read_whole(document->at("pid"), p.pid);
   } catch (const json::exception&) {
     return std::nullopt;
   }
@@ -120,11 +120,11 @@ std::optional<AttemptEnded> read_ended(const JobDirectory& directory) {
   if (!document || !document->is_object()) return std::nullopt;
   AttemptEnded e;
   try {
-    document->at("exit_code").get_to(e.exit_code);
+    text::read_whole(document->at("exit_code"), e.exit_code);
     document->at("core_seconds").get_to(e.core_seconds);
-    document->at("peak_memory_bytes").get_to(e.peak_memory_bytes);
+    text::read_whole(document->at("peak_memory_bytes"), e.peak_memory_bytes);
     document->at("host").get_to(e.host);
-    document->at("pid").get_to(e.pid);
+    text::read_whole(document->at("pid"), e.pid);
   } catch (const json::exception&) {
     return std::nullopt;
   }
@@ -142,8 +142,8 @@ std::optional<Failure> read_failure(const JobDirectory& directory) {
   Failure f;
   try {
     document->at("kind").get_to(f.kind);
-    document->at("step").get_to(f.step);
-    document->at("particle_id").get_to(f.particle_id);
+    text::read_whole(document->at("step"), f.step);
+    text::read_whole(document->at("particle_id"), f.particle_id);
     document->at("message").get_to(f.message);
   } catch (const json::exception&) {
     return std::nullopt;

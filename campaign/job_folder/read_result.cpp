@@ -15,13 +15,20 @@ namespace {
 template <class T>
 std::optional<T> optional_value(const json& object, const char* key) {
   const json& value = object.at(key);
-  return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
+  if (value.is_null()) return std::nullopt;
+  if constexpr (std::integral<T>) {
+    T number{};
+    text::read_whole(value, number);
+    return number;
+  } else {
+    return value.get<T>();
+  }
 }
 
 db::Remnant remnant_row(const json& m) {
   db::Remnant row;
-  m.at("rank").get_to(row.rank);
-  m.at("particles").get_to(row.particles);
+  text::read_whole(m.at("rank"), row.rank);
+  text::read_whole(m.at("particles"), row.particles);
   m.at("mass_kg").get_to(row.mass_kg);
   m.at("mass_over_total").get_to(row.mass_over_total);
   row.a_m = optional_value<double>(m, "a_m");
@@ -79,10 +86,10 @@ StoredResult stored_result(const json& document) {
   r.dL_over_L = optional_value<double>(run, "dL_over_L");
   r.ended_at_s = optional_value<double>(run, "end_time_s");
   r.end_reason = run.value("end_reason", "");
-  run.at("steps").get_to(r.steps);
+  text::read_whole(run.at("steps"), r.steps);
   run.at("particle_steps").get_to(r.particle_steps);
   run.at("wall_s").get_to(r.wall_s);
-  run.at("threads").get_to(r.threads);
+  text::read_whole(run.at("threads"), r.threads);
   const json& source = document.at("provenance");
   // Until the solver had a version of its own, it was the program's.
   source.at(source.contains("solver_version") ? "solver_version" : "version")

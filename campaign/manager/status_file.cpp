@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/job_folder/job_directory.hpp"
+#include "campaign/text/json_file.hpp"
 #include "campaign/text/json_text.hpp"
 #include "db/store/place.hpp"
 
@@ -47,7 +48,7 @@ std::optional<CampaignView> read_status_file(const fs::path& database) {
   if (!document || !document->is_object()) return std::nullopt;
   CampaignView view;
   try {
-    document->at("running").get_to(view.running);
+    text::read_whole(document->at("running"), view.running);
     document->at("particle_steps_per_s").get_to(view.particle_steps_per_s);
     document->at("eta_s").get_to(view.eta_s);
     document->at("stopping").get_to(view.stopping);

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "campaign/text/given_file.hpp"
@@ -85,5 +88,23 @@ json load_json(const fs::path& path) {
 json load_given_json(const fs::path& path) {
   return parse_json(read_given(path, most_document_bytes), given_name(path));
 }
+
+template <class Whole>
+void read_whole(const json& value, Whole& into) {
+  constexpr double exact = 0x1p53;  // up to there a float holds every whole number
+  const auto fits = [&] {
+    if (value.is_number_unsigned()) return std::in_range<Whole>(value.get<std::uint64_t>());
+    if (value.is_number_integer()) return std::in_range<Whole>(value.get<std::int64_t>());
+    if (!value.is_number_float()) return false;
+    const double number = value.get<double>();
+    return number == std::floor(number) && std::abs(number) <= exact &&
+           std::in_range<Whole>(static_cast<std::int64_t>(number));
+  };
+  if (!fits()) throw json::out_of_range::create(406, "no whole number that fits", &value);
+  value.get_to(into);
+}
+template void read_whole(const json& value, int& into);
+template void read_whole(const json& value, long& into);
+template void read_whole(const json& value, unsigned long& into);
 
 }  // namespace eerie::text

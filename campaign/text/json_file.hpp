@@ -18,4 +18,10 @@ nlohmann::json load_json(const std::filesystem::path& path);
 /// parse_json of what the user named: a file, a pipe, or "-" for standard input (given_file.hpp).
 nlohmann::json load_given_json(const std::filesystem::path& path);
 
+/// Reads a whole number of a document from elsewhere (int, long, unsigned long). Throws
+/// json::out_of_range where it is none or does not fit: the library converts it all the same, and a
+/// float out of range to anything.
+template <class Whole>
+void read_whole(const nlohmann::json& value, Whole& into);
+
 }  // namespace eerie::text
