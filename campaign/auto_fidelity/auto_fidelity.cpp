@@ -14,8 +14,6 @@ namespace eerie::auto_fidelity {
 
 namespace {
 
-/// So many runs of each impact at first on a rung, and so many at most below the last one.
-constexpr std::int64_t first_seeds = 2, most_below_last = 4;
 /// An impact is not called mixed by fewer runs on the last rung; below it goes up at once.
 constexpr std::size_t fewest_of_mixed = 4;
 /// Of b/a, before anything is known: the spread of seeds, and what a rung may be off from the next.
@@ -163,7 +161,7 @@ std::vector<std::string> AutoFidelity::classes(std::size_t rung) const {
 }
 
 std::int64_t AutoFidelity::most_seeds(std::size_t rung) const {
-  return rung + 1 == rungs_.size() ? options_.most_seeds : most_below_last;
+  return rung + 1 == rungs_.size() ? options_.most_seeds : sweeps::most_auto_seeds;
 }
 
 void AutoFidelity::update(const db::Connection& connection) {
@@ -240,7 +238,8 @@ std::vector<Wanted> AutoFidelity::next() const {
     std::size_t rung = cell.finest() < 0 ? 0 : static_cast<std::size_t>(cell.finest());
     const bool used_up = std::ssize(cell.runs[rung]) >= most_seeds(rung) || is_mixed(cell);
     if (used_up && ++rung == rungs_.size()) continue;
-    const std::int64_t first = std::ssize(cell.runs[rung]) + 1, last = std::max(first_seeds, first);
+    const std::int64_t first = std::ssize(cell.runs[rung]) + 1,
+                       last = std::max(sweeps::first_auto_seeds, first);
     for (std::int64_t seed = first; seed <= std::min(last, most_seeds(rung)); ++seed)
       wanted.push_back({with_seed(cell.scenes[rung], seed), rung});
   }

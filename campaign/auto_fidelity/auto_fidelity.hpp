@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "campaign/auto_fidelity/certainty.hpp"
+#include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/sweep.hpp"
 #include "db/store/connection.hpp"
 
@@ -14,7 +15,7 @@ namespace eerie::auto_fidelity {
 /// The confidence that an automatic choice of fidelity must reach, and its most seeds per impact.
 struct AutoOptions {
   double confidence = 0.9;
-  std::int64_t most_seeds = 8;  ///< of one impact on the last rung
+  std::int64_t most_seeds = sweeps::most_last_auto_seeds;  ///< of one impact on the last rung
 };
 
 /// A fidelity of the ladder, with the sweep that has its settings.

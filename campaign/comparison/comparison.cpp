@@ -13,6 +13,7 @@
 #include "db/jobs/job_settings.hpp"
 #include "db/views/query.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::comparison {
 namespace {
@@ -46,7 +47,7 @@ Runs results_of(const ComparedSide& side) {
       "{}: has no result{}; `eerie status --db {}` shows what it holds",
       side.database->path().string(),
       side.settings.empty() ? "" : fmt::format(" of the settings \"{}\"", side.settings),
-      side.database->path().string()));
+      shell_word(side.database->path().string())));
 }
 
 Places places_of(const ComparedSide& side, bool by_settings) {

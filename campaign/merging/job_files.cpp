@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
-
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 
@@ -14,8 +12,9 @@ namespace {
 
 /// What belongs to a worker at work, and not to the job.
 bool is_passing(const fs::path& file) {
-  static const std::set<std::string> names = {"worker.lock", "heartbeat.json", "stop"};
-  return names.contains(file.filename()) || file.extension() == ".tmp";
+  const job_folder::JobDirectory job{file.parent_path()};
+  return file == job.worker_lock() || file == job.heartbeat() || file == job.stop() ||
+         file.extension() == ".tmp";
 }
 
 /// Whether a copy has been made before, by a merge that did not get to its end.

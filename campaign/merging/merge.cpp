@@ -66,11 +66,14 @@ std::vector<SourceReport> merge_all(const Sources& sources, db::Connection& targ
   return reports;
 }
 
+/// The endings of the files that SQLite puts beside a database.
+constexpr const char* of_sqlite[] = {"-wal", "-shm", "-journal"};
+
 /// A database under a passing name, and what SQLite and the lock put beside it.
 void remove_database(const fs::path& database) {
   std::error_code ignored;
-  for (const char* ending : {"", "-wal", "-shm", "-journal", ".lock"})
-    fs::remove(database.string() + ending, ignored);
+  for (const char* ending : {"", ".lock"}) fs::remove(database.string() + ending, ignored);
+  for (const char* ending : of_sqlite) fs::remove(database.string() + ending, ignored);
 }
 
 }  // namespace
@@ -104,8 +107,7 @@ std::vector<SourceReport> merge_as(const fs::path& target, const std::vector<fs:
   const db::Lock lock(unfinished);  // of another merge into the same file
   try {
     fs::resize_file(unfinished, 0);  // what a merge that was killed has left
-    for (const char* ending : {"-wal", "-shm", "-journal"})
-      fs::remove(unfinished.string() + ending);
+    for (const char* ending : of_sqlite) fs::remove(unfinished.string() + ending);
     {
       db::Connection connection(unfinished, db::Access::write);
       reports =

@@ -45,9 +45,6 @@ struct Impacts {
   }
 };
 
-/// The most runs that --fidelity auto makes of an impact on a rung (auto_fidelity.hpp).
-constexpr int most_auto_seeds = 4, most_last_seeds = 8;
-
 }  // namespace
 
 Advice advice(const std::vector<Scene>& scenes, double particle_steps_per_core_second) {
@@ -60,9 +57,14 @@ Advice advice(const std::vector<Scene>& scenes, double particle_steps_per_core_s
     advice.choices.push_back({f.name, settings.at("numerics").at("particles_per_target"), f.seeds,
                               f.seeds * core_hours, f.error, f.class_agrees});
     if (!f.is_rung) continue;
-    if (advice.auto_least_core_hours == 0) advice.auto_least_core_hours = 2 * core_hours;
+    const auto runs = [core_hours](std::int64_t seeds) {
+      return static_cast<double>(seeds) * core_hours;
+    };
+    if (advice.auto_least_core_hours == 0)
+      advice.auto_least_core_hours = runs(sweeps::first_auto_seeds);
     const bool last = sweeps::rung_above(f.name).empty();
-    advice.auto_most_core_hours += (last ? most_last_seeds : most_auto_seeds) * core_hours;
+    advice.auto_most_core_hours +=
+        runs(last ? sweeps::most_last_auto_seeds : sweeps::most_auto_seeds);
   }
   return advice;
 }

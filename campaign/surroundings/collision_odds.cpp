@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -15,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A side of the cells into which a map is cut, per axis; its area is summed cell by cell.
+/// The cells of each axis into which a map is cut, to be summed one by one.
 constexpr int cells = 200;
 
 /// The ends of an axis and the smallest step between values on it.
@@ -39,8 +41,10 @@ class OddsMap {
     for (const db::MapPoint& p : points_)
       speeds.insert(p.v_imp_cm_per_s), angles.insert(p.theta_imp_deg);
     const Axis v(speeds), theta(angles);
-    for (int k = 0; k <= cells; ++k)
-      v_.push_back(v.at(double{1} * k / cells)), theta_.push_back(theta.at(double{1} * k / cells));
+    for (int k = 0; k <= cells; ++k) {
+      const double part = static_cast<double>(k) / cells;
+      v_.push_back(v.at(part)), theta_.push_back(theta.at(part));
+    }
     for (int i = 0; i < cells; ++i)
       for (int j = 0; j < cells; ++j)
         nearest_.push_back(nearest((v_[at(i)] + v_[at(i + 1)]) / 2, v.step,

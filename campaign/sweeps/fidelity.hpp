@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -52,6 +53,10 @@ inline constexpr Fidelity fidelities[] = {
 
 /// The fidelity of scenes that name no scheme.
 inline constexpr const char* default_fidelity = "standard";
+
+/// The runs of one impact by --fidelity auto: at first on a rung, at most on a rung below the last,
+/// and at most on the last one unless told otherwise.
+inline constexpr std::int64_t first_auto_seeds = 2, most_auto_seeds = 4, most_last_auto_seeds = 8;
 
 /// The settings of a fidelity, part of a scene. Throws InputError where no fidelity has this name,
 /// with `where` in front.

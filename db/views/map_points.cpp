@@ -147,7 +147,10 @@ std::vector<MapName> map_names(const Connection& connection) {
                          settings = select.getColumn(3).getInt64();
       const auto [at, is_new] = gathered.try_emplace({q, phi_d, particles, settings});
       MapName& map = at->second;
-      if (is_new) map = {q, phi_d, particles, settings, select.getColumn(5).getString()};
+      if (is_new)
+        map = {.q = q, .phi_d_deg = phi_d, .particles_per_target = particles, .settings = settings};
+      map.fidelity =
+          std::max(map.fidelity, select.getColumn(5).getString());  // older jobs have none
       ++map.jobs;
       map.done += select.getColumn(4).getInt();
     }

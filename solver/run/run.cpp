@@ -28,6 +28,8 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+bool is_whole(double number) { return std::abs(number - std::round(number)) < 1e-9; }
+
 /// Outputs fall due by the number of whole intervals that have passed, a function of simulated
 /// time alone, so an interrupted run writes the same ones.
 class Schedule {
@@ -40,9 +42,7 @@ class Schedule {
     return done_ > before;
   }
   long count() const { return done_; }
-  bool falls_on(double now) const {
-    return interval_ > 0 && std::abs(now / interval_ - std::round(now / interval_)) < 1e-9;
-  }
+  bool falls_on(double now) const { return interval_ > 0 && is_whole(now / interval_); }
   double next() const {
     return interval_ > 0 ? static_cast<double>(done_ + 1) * interval_
                          : std::numeric_limits<double>::infinity();
@@ -67,16 +67,13 @@ class Ending {
   /// The next moment at which a run that has come to `now` may end.
   double next(double now) const {
     if (end_.latest_s <= end_.time_s || now < end_.time_s * (1 - rounding)) return end_.time_s;
-    const double interval = end_.time_s / 30;
-    const double asked = std::floor((now - end_.time_s) / interval + 1e-6);
-    return std::min(end_.latest_s, end_.time_s + (asked + 1) * interval);
+    const double asked = std::floor(intervals(now) + 1e-6);
+    return std::min(end_.latest_s, end_.time_s + (asked + 1) * interval());
   }
   /// Whether a run may end at this moment, other than by settling.
   bool falls_on(double now) const {
     if (now < end_.time_s * (1 - rounding)) return false;
-    const double asked = (now - end_.time_s) / (end_.time_s / 30);
-    return now >= std::max(end_.time_s, end_.latest_s) * (1 - rounding) ||
-           std::abs(asked - std::round(asked)) < 1e-9;
+    return now >= std::max(end_.time_s, end_.latest_s) * (1 - rounding) || is_whole(intervals(now));
   }
   /// Why a run that may end now does; nothing where it goes on.
   template <class MakeSnapshot>
@@ -89,6 +86,9 @@ class Ending {
   static constexpr double rounding = 1e-12;
 
  private:
+  double interval() const { return end_.time_s / 30; }  ///< between two questions, s
+  double intervals(double now) const { return (now - end_.time_s) / interval(); }
+
   Scene::End end_;
   const std::function<bool(const io::Snapshot&)>& will_meet_;
 };

@@ -1,8 +1,6 @@
-#include "analysis/drawing/gnuplot.hpp"
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/files.hpp"
 #include "campaign/surroundings/collision_odds.hpp"
-#include "solver/base/file.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -16,8 +14,7 @@ struct OddsArguments {
 };
 
 Answer odds(const OddsArguments& a) {
-  for (const fs::path& file : a.files)
-    if (file.extension() != ".csv") drawing::require_figure_file(file);
+  require_tables_or_figures(a.files);
   const db::Connection connection(a.database, db::Access::read);
   const std::vector<surroundings::CollisionOdds> found =
       surroundings::collision_odds(db::map_points(connection, a.filter), a.dispersions_cm_per_s);
@@ -26,13 +23,8 @@ Answer odds(const OddsArguments& a) {
         fmt::format("{}: no result matches; {}", a.database.string(), see_status(a.database)));
   Answer answer;
   Table table = surroundings::table_of_odds(found);
-  for (const fs::path& file : a.files) {
-    text::require_folder_of(file);
-    if (file.extension() == ".csv")
-      install_text(file, text::csv(table));
-    else
-      surroundings::draw_odds(file, found);
-  }
+  write_tables_or_figures(a.files, table,
+                          [&](const fs::path& file) { surroundings::draw_odds(file, found); });
   answer.data = records(table);
   answer.add(std::move(table));
   answer.say(

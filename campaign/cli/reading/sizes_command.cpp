@@ -1,9 +1,7 @@
-#include "analysis/drawing/gnuplot.hpp"
 #include "analysis/remnants/remnants.hpp"
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/cli/output/files.hpp"
 #include "campaign/results/sizes.hpp"
-#include "solver/base/file.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -34,21 +32,15 @@ Answer answer_of(const std::vector<figures::SizeDistribution>& all) {
 }
 
 Answer sizes(const SizesArguments& a) {
-  for (const fs::path& file : a.files)
-    if (file.extension() != ".csv") drawing::require_figure_file(file);
+  require_tables_or_figures(a.files);
   const db::Connection connection(a.database, db::Access::read);
   const std::vector<figures::SizeDistribution> all = results::size_distributions(
       connection, queries::filtered(connection, db::View::results, a.filter));
   if (all.empty())
     throw InputError(
         fmt::format("{}: no result matches; {}", a.database.string(), see_status(a.database)));
-  for (const fs::path& file : a.files) {
-    text::require_folder_of(file);
-    if (file.extension() == ".csv")
-      install_text(file, text::csv(results::table_of_steps(all)));
-    else
-      figures::draw_sizes(file, all);
-  }
+  write_tables_or_figures(a.files, results::table_of_steps(all),
+                          [&](const fs::path& file) { figures::draw_sizes(file, all); });
   Answer answer = answer_of(all);
   answer.add_files(a.files);
   return answer;

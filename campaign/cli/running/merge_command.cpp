@@ -1,5 +1,6 @@
 #include "campaign/cli/options/command_list.hpp"
 #include "campaign/merging/merge.hpp"
+#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -58,7 +59,7 @@ Answer merge(const MergeArguments& a) {
   answer.data = {{"database", target.string()}, {"sources", records(table)}};
   answer.add(std::move(table));
   answer.say("\n{} holds them; `eerie status --db {}` shows what is done and what is left\n",
-             target, target);
+             target, shell_word(target.string()));
   for (const SourceReport& report : reports) add_warnings(answer, report);
   return answer;
 }

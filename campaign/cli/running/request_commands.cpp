@@ -36,18 +36,24 @@ struct ChangeArguments {
   queries::JobChoice selection;
 };
 
-/// Sends a request about selected jobs and says how many it changed.
-Answer change(const ChangeArguments& a, manager::Request request, const char* done) {
+/// Has a request about selected jobs carried out, and puts what it did into `answer`. Nothing, and
+/// a line that says so, where the manager is busy.
+std::optional<json> ask_about_jobs(const ChangeArguments& a, manager::Request request,
+                                   Answer& answer) {
   request.selection =
       queries::selection_of(a.selection, request.kind == "rerun-stale" ? "retry" : request.kind);
   require_database(a.database);
   const auto told = ask(a.database, request);
-  Answer answer;
   answer.data = told.value_or(json{{"jobs", nullptr}});
-  if (!told) {
-    answer.say("the manager at work is busy; it will do it\n");
-    return answer;
-  }
+  if (!told) answer.say("the manager at work is busy; it will do it\n");
+  return told;
+}
+
+/// Sends a request about selected jobs and says how many it changed.
+Answer change(const ChangeArguments& a, const manager::Request& request, const char* done) {
+  Answer answer;
+  const auto told = ask_about_jobs(a, request, answer);
+  if (!told) return answer;
   const auto jobs = told->at("jobs").get<std::size_t>();
   answer.say("{} {}\n", count_of(jobs, "job"), done);
   if (jobs == 0)
@@ -77,22 +83,16 @@ void add_refused(Answer& answer, const json& refused) {
 }
 
 Answer extend(const ChangeArguments& a, double until_s) {
-  manager::Request request{.kind = "extend", .until_s = until_s};
-  request.selection = queries::selection_of(a.selection, request.kind);
-  require_database(a.database);
-  const auto told = ask(a.database, request);
   Answer answer;
-  answer.data = told.value_or(json{{"jobs", nullptr}});
-  if (!told) {
-    answer.say("the manager at work is busy; it will do it\n");
-    return answer;
-  }
+  const auto told = ask_about_jobs(a, {.kind = "extend", .until_s = until_s}, answer);
+  if (!told) return answer;
   answer.say("{} to {:g} s\n", count_of(told->at("jobs").get<std::size_t>(), "job") + " will go on",
              until_s);
   for (const json& job : told->at("extended"))
     answer.say("  {} goes on as {} from {:.0f} s\n", job.at("job").get<std::string>().substr(0, 16),
                job.at("as").get<std::string>().substr(0, 16), job.at("from_s").get<double>());
-  answer.say("a daemon at work runs them, or `eerie daemon --db {} --until-idle`\n", a.database);
+  answer.say("a daemon at work runs them, or `eerie daemon --db {} --until-idle`\n",
+             shell_word(a.database.string()));
   add_refused(answer, told->at("refused"));
   return answer;
 }

@@ -50,7 +50,7 @@ namespace {
 
 Answer report(const db::Connection& connection, const RunArguments& a, const sweeps::Plan& plan,
               const db::AddedSweep& added) {
-  const auto& [sweep, name] = std::pair(added.sweep, added.label);
+  const std::int64_t sweep = added.sweep;
   const manager::Tally t = manager::tally(connection, sweep);
   Answer answer;
   conclude(
@@ -58,14 +58,14 @@ Answer report(const db::Connection& connection, const RunArguments& a, const swe
       a.scheduler.is_local() ? " from the checkpoints" : "; what is in Slurm's queue stays there");
   std::vector<fs::path> pictures;
   try {
-    pictures = draw(connection, a, sweep, name);
+    pictures = draw(connection, a, sweep, added.label);
   } catch (const EnvironmentError& error) {  // the outcomes are told all the same
     answer.complain("eerie: {}", error.what());
     answer.exit_code = static_cast<int>(ExitCode::environment);
   }
   const std::vector<db::FailureGroup> failures = db::failures(connection, sweep);
   answer.data = {
-      {"sweep", name},
+      {"sweep", added.label},
       {"database", a.database.string()},
       {"jobs", manager::to_json(t)},
       {"results", records(results::plain_table(db::rows(connection, {.sweeps = {sweep}})))},

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """Takes the pictures of dashboard.md in a headless Chromium.
 
-usage: docs/how-to/dashboard/make.py DATABASE [PROGRAM] [FOLDER]
-PROGRAM is build/eerie, FOLDER the one of this file unless told otherwise. With FOLDER every view is
-taken at both widths, light and dark.
+With --all every view is taken at both widths, light and dark.
 """
+import argparse
 import pathlib
 import re
 import subprocess
@@ -47,16 +46,20 @@ def take(page, address, path, size, dark):
 
 
 def main():
-    database, program, *rest = [*sys.argv[1:2], *(sys.argv[2:3] or [str(ROOT / "build/eerie")]), *sys.argv[3:]]
-    folder = pathlib.Path(rest[0]) if rest else HERE
-    server, base = started(program, database)
+    arguments = argparse.ArgumentParser(description=__doc__)
+    arguments.add_argument("database")
+    arguments.add_argument("program", nargs="?", default=str(ROOT / "build/eerie"))
+    arguments.add_argument("-o", "--output", type=pathlib.Path, default=HERE)
+    arguments.add_argument("--all", action="store_true")
+    a = arguments.parse_args()
+    server, base = started(a.program, a.database)
     try:
         with Browser(base) as page:
             for name, address in views(page).items():
                 for size, dark, mark in [(WIDE, False, ""), (SMALL, True, "-small-dark"),
                                          (WIDE, True, "-dark"), (SMALL, False, "-small")]:
-                    if rest or mark in ("", "-small-dark"):
-                        take(page, address, folder / f"{name}{mark}.png", size, dark)
+                    if a.all or mark in ("", "-small-dark"):
+                        take(page, address, a.output / f"{name}{mark}.png", size, dark)
             for complaint in page.complaints():
                 print(complaint)
     finally:
