@@ -12,6 +12,10 @@ function tell(kind, data) {
 }
 
 function connect() {
+  source?.close();
+  clearTimeout(poll);
+  source = null;
+  if (document.hidden) return;
   source = new EventSource("/api/events");
   for (const kind of ["database", "work", "progress"])
     source.addEventListener(kind, (event) => tell(kind, JSON.parse(event.data)));
@@ -19,15 +23,16 @@ function connect() {
   source.onerror = () => {
     tell("connection", false);
     // A browser tries again by itself unless it was refused, as where too many listen.
-    if (source.readyState === EventSource.CLOSED) {
-      clearTimeout(poll);
-      poll = setTimeout(connect, 5000);
-    }
+    if (source?.readyState === EventSource.CLOSED) poll = setTimeout(connect, 5000);
   };
 }
 
+// A browser has six connections to a server, for all its tabs and for the pages that it keeps for
+// the way back. Seven that listen would stop each other: only those that somebody sees do.
+document.addEventListener("visibilitychange", connect);
+
 export function listen(listener, signal) {
-  if (!source) connect();
+  if (!source && !document.hidden) connect();
   listeners.add(listener);
   signal.addEventListener("abort", () => listeners.delete(listener));
   for (const [kind, data] of last) listener(kind, data);
