@@ -59,6 +59,8 @@ bool GuardedServer::process_and_close_socket(socket_t socket) {
     bool last = k + 1 == requests_per_connection;
     const bool answered = process_request(stream, last, closed, [&](httplib::Request& request) {
       stream.allow(for_body);
+      // Packed by httplib, at brotli's slowest level, three.js takes seconds to come.
+      request.headers.erase("Accept-Encoding");
       // A body that nobody read would be taken for the next request.
       if (request.method != "GET" || request.has_header("Content-Length") ||
           request.has_header("Transfer-Encoding"))

@@ -248,5 +248,14 @@ TEST_F(Hostile, APageSaysThatNoScriptButItsOwnMayRun) {
   EXPECT_EQ(answer->body.find("<script>"), std::string::npos);
 }
 
+TEST_F(Hostile, NobodyMakesTheServerPackItsRepliesForSeconds) {
+  Dashboard dashboard({.database = database, .port = 0, .read_only = true});
+  httplib::Client client("127.0.0.1", dashboard.port());
+  const auto answer = client.Get("/page/main.js", {{"Accept-Encoding", "gzip, br"}});
+  ASSERT_TRUE(answer);
+  EXPECT_FALSE(answer->has_header("Content-Encoding"));
+  EXPECT_GT(answer->body.size(), 1000u);
+}
+
 }  // namespace
 }  // namespace eerie::serve
