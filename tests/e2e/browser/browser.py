@@ -4,12 +4,25 @@ import json
 import time
 
 from selenium import webdriver
-from selenium.common.exceptions import ElementClickInterceptedException, StaleElementReferenceException
+from selenium.common.exceptions import (ElementClickInterceptedException, StaleElementReferenceException,
+                                        WebDriverException)
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 
 PATIENCE_S = 60
+
+
+def started(options, attempts=3):
+    """A Chromium with its driver. Selenium gives the driver a port that was free a moment ago: another
+    program that starts may have taken it, and a busy machine may be late with the browser itself."""
+    for attempt in range(1, attempts + 1):
+        try:
+            return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        except WebDriverException as problem:
+            if attempt == attempts:
+                raise
+            print(f"the browser did not start: {problem.msg}; once more")
 
 
 class Browser:
@@ -20,7 +33,7 @@ class Browser:
                          "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]:
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        self.driver = started(options)
         self.base = base
         self.size(1280, 900)
         if token:
@@ -58,8 +71,22 @@ class Browser:
         self.until(lambda: self.all(selector), f"there is {selector}")
         return self.all(selector)[0]
 
+    def on(self, selector, deed):
+        """What `deed` gives for an element: the one that is there, where a page that draws itself anew
+        has replaced it meanwhile."""
+        done = []
+
+        def tried():
+            done.append(deed(self.one(selector)))
+            return True
+        self.until(tried, f"{selector} stays")
+        return done[-1]
+
     def text(self, selector="main"):
-        return self.one(selector).text
+        return self.on(selector, lambda node: node.text)
+
+    def keys(self, selector, text):
+        self.on(selector, lambda node: node.send_keys(text))
 
     def until(self, condition, what, patience=PATIENCE_S):
         end = time.time() + patience
