@@ -6,7 +6,8 @@
 
 namespace eerie::serve {
 
-/// A file of the page (campaign/serve/page), which the build puts into the program.
+/// A file of the page (campaign/serve/page) or of its libraries (libraries.cmake), which the build
+/// puts into the program.
 struct Asset {
   std::string_view name, text;
 };

@@ -1,34 +1,28 @@
-// Scales, ticks and line charts in SVG.
+// Scales, axes and line charts in SVG, by d3 (index.html puts it into the window).
 
 import { el, fill, svg } from "./dom.js";
 import { digits } from "./format.js";
 
-export function linear(low, high, from, to) {
-  const scale = (value) => from + ((value - low) / (high - low || 1)) * (to - from);
-  scale.back = (place) => low + ((place - from) / (to - from)) * (high - low);
-  return scale;
+/// The axis of a scale as a group, at its place. `grid`: how far lines reach into the picture.
+export function axis(scale, orient, [x, y], { values = null, count = 6, text = null, grid = 0, tick = 0, padding = 6 } = {}) {
+  const made = d3.svg.axis().scale(scale).orient(orient).ticks(count).tickValues(values).tickFormat(text)
+    .innerTickSize(grid ? -grid : tick).outerTickSize(0).tickPadding(padding);
+  const node = svg("g", { class: `axis-lines${grid ? " with-grid" : ""}`, transform: `translate(${x} ${y})` });
+  d3.select(node).call(made);
+  return node;
 }
 
-/// Multiples of 1, 2 or 5 times a power of ten, at most so many.
-export function ticks(low, high, most = 6) {
-  if (!(high > low)) return [low];
-  const rough = (high - low) / most;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((k) => k * power).find((s) => (high - low) / s <= most);
-  const found = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) found.push(Number((k * step).toPrecision(12)));
-  return found;
+/// The numbers of a scale's ticks: short, whatever their size, and told apart.
+function tick_text(scale, count) {
+  const most = d3.max(scale.domain(), Math.abs);
+  if (most === 0 || (most >= 1e-2 && most < 1e5)) return scale.tickFormat(count);
+  const text = scale.tickFormat(count, "e");
+  return (value) => (value === 0 ? "0" : text(value).replace("e+", "e"));
 }
 
-/// The number of a tick: short, whatever its size.
-function tick_text(value) {
-  const magnitude = Math.abs(value);
-  return magnitude !== 0 && (magnitude >= 1e5 || magnitude < 1e-3) ? String(Number(value.toPrecision(3)).toExponential()).replace("e+", "e") : digits(value, 3);
-}
-
-/// A line chart. `lines`: [{name, x, y, kind}], kind: 1 to 4, the way that it is drawn. Options:
-/// title, unit, x_label, low, high, marks [{y, text}]. Gives the node, with .point_at(x) for a
-/// moment chosen elsewhere.
+/// A line chart. `lines`: [{name, x, y, kind}], x ascending, kind: 1 to 4, the way that it is drawn.
+/// Options: title, unit, x_name, low, high, marks [{y, text}]. Gives the node, with .point_at(x) for
+/// a moment chosen elsewhere.
 export function line_chart(lines, options = {}) {
   const node = el("figure", { class: "chart" });
   const picture = svg("svg", { role: "img", "aria-label": options.title });
@@ -50,50 +44,37 @@ export function line_chart(lines, options = {}) {
 }
 
 function plot(picture, reading, lines, options, width, height) {
-  const left = 46, right = 10, top = 8, bottom = 24;
-  const xs = lines.flatMap((l) => l.x), ys = lines.flatMap((l) => l.y).filter(Number.isFinite);
-  const x = linear(Math.min(...xs), Math.max(...xs), left, width - right);
-  let low = options.low ?? Math.min(...ys), high = options.high ?? Math.max(...ys);
+  const right = width - 22, top = 8, bottom = height - 24, across = 4;
+  let [low, high] = d3.extent(lines.flatMap((l) => l.y).filter(Number.isFinite));
+  low = options.low ?? low, high = options.high ?? high;
   if (!(high > low)) low -= Math.abs(low) * 0.05 || 0.5, high += Math.abs(high) * 0.05 || 0.5;
-  const y = linear(low, high, height - bottom, top);
-  const x_ticks = ticks(Math.min(...xs), Math.max(...xs), Math.floor(width / 90));
+  const y = d3.scale.linear().domain([low, high]).range([bottom, top]), text = tick_text(y, across);
+  const left = Math.max(46, 12 + 7 * d3.max(y.ticks(across), (t) => text(t).length));
+  const x = d3.scale.linear().domain(d3.extent(lines.flatMap((l) => l.x))).range([left, right]);
+  const path = (l) => d3.svg.line().defined((k) => Number.isFinite(l.y[k])).x((k) => x(l.x[k])).y((k) => y(l.y[k]))(d3.range(l.x.length));
   picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
   picture.setAttribute("height", height);
   const cursor = svg("g", { class: "cursor" });
-  fill(picture,
-    ticks(low, high, 4).map((t) => [svg("path", { class: "grid", d: `M${left} ${y(t)}H${width - right}` }),
-      svg("text", { x: left - 6, y: y(t) + 4, "text-anchor": "end" }, tick_text(t))]),
-    x_ticks.map((t) => svg("text", { x: Math.min(x(t), width - 20), y: height - 8, "text-anchor": "middle" }, digits(t, 5))),
-    (options.marks ?? []).map((m) => svg("path", { class: "mark", d: `M${left} ${y(m.y)}H${width - right}` })),
-    lines.map((line) => svg("path", { class: `line line-${line.kind}`, d: path_of(line, x, y) })), cursor);
+  fill(picture, axis(y, "left", [left, 0], { count: across, text, grid: right - left }), axis(x, "bottom", [0, bottom], { count: Math.max(2, Math.floor((right - left) / 80)) }),
+    (options.marks ?? []).map((m) => svg("path", { class: "mark", d: `M${left} ${y(m.y)}H${right}` })),
+    lines.map((l) => svg("path", { class: `line line-${l.kind}`, d: path(l) })), cursor);
   const show = (value) => {
-    if (value === null || !xs.length) return void fill(cursor), void fill(reading);
-    const k = nearest(lines[0].x, value);
-    const at = x(lines[0].x[k]);
-    fill(cursor, svg("path", { d: `M${at} ${top}V${height - bottom}` }));
-    fill(reading, `${options.x_name ?? "t"} ${digits(lines[0].x[k], 5)}: `,
+    if (value === null || lines.length === 0) return void fill(cursor), void fill(reading);
+    const at = lines[0].x[nearest(lines[0].x, value)];
+    fill(cursor, svg("path", { d: `M${x(at)} ${top}V${bottom}` }));
+    fill(reading, `${options.x_name ?? "t"} ${digits(at, 5)}: `,
       lines.map((l) => `${l.name} ${digits(l.y[nearest(l.x, value)], 4)}`).join(" · "));
   };
   picture.onpointermove = (event) => {
     const box = picture.getBoundingClientRect();
-    show(x.back(((event.clientX - box.left) / box.width) * width));
+    show(x.invert(((event.clientX - box.left) / box.width) * width));
   };
   picture.onpointerleave = () => show(null);
   return show;
 }
 
+/// Where in ascending values the one is that lies nearest.
 function nearest(values, value) {
-  let best = 0;
-  for (let k = 1; k < values.length; ++k) if (Math.abs(values[k] - value) < Math.abs(values[best] - value)) best = k;
-  return best;
-}
-
-function path_of(line, x, y) {
-  let text = "", pen = "M";
-  for (let k = 0; k < line.x.length; ++k) {
-    if (!Number.isFinite(line.y[k])) { pen = "M"; continue; }
-    text += `${pen}${x(line.x[k]).toFixed(1)} ${y(line.y[k]).toFixed(1)}`;
-    pen = "L";
-  }
-  return text;
+  const k = d3.bisectLeft(values, value, 1, values.length - 1);
+  return value - values[k - 1] < values[k] - value ? k - 1 : k;
 }

@@ -6,7 +6,6 @@ import { line_chart } from "./chart.js";
 import { digits, fixed, none, short, whole } from "./format.js";
 import { cell_facts } from "./map.js";
 import { numbers_of } from "./job.js";
-import { viewer } from "./viewer.js";
 
 const most = 4;
 
@@ -26,8 +25,11 @@ function table(heads, groups) {
 }
 
 async function compare_jobs(root, hashes, signal) {
+  const drawing = import("./viewer.js");  // three.js with it
   const jobs = await Promise.all(hashes.map((h) => get(`job/${h}`, {}, signal)));
   const histories = await Promise.all(jobs.map((j) => get(`job/${j.hash}/history`, {}, signal)));
+  const { viewer } = await drawing;
+  if (signal.aborted) return;
   const numbers = jobs.map(numbers_of);
   const rows = numbers[0].map(([name], k) => [name, numbers.map((n) => n[k][1])]);
   const lines = (column) => histories.map((h, k) => ({ name: short(jobs[k].hash), x: h.columns.time_s ?? [], y: h.columns[column] ?? [], kind: k + 1 })).filter((l) => l.x.length > 1);

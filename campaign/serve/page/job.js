@@ -7,7 +7,6 @@ import { gently, listen } from "./events.js";
 import { cell, digits, duration, fixed, magnitude, moment, none, percent, short, whole } from "./format.js";
 import { live_log } from "./log.js";
 import { series } from "./series.js";
-import { viewer } from "./viewer.js";
 
 function badge(job) {
   const wanted = job.wanted === "run" ? "" : job.wanted === "pause" ? ", paused" : ", being cancelled";
@@ -73,6 +72,7 @@ function provenance(job) {
 }
 
 export async function show_job(root, { signal, word }) {
+  const drawing = import("./viewer.js");  // three.js with it: only views that draw particles pay
   let job = await get(`job/${word}`, {}, signal);
   const address = `job/${job.hash}`;
   const top = el("div", {}), result = el("div", { class: "stack" }), history = el("div", {});
@@ -82,7 +82,9 @@ export async function show_job(root, { signal, word }) {
     fill(top, head(job));
     fill(result, remnants(job), attempts(job), el("div", { class: "columns" }, scene(job), provenance(job)));
   };
-  const draw_picture = () => {
+  const draw_picture = async () => {
+    const { viewer } = await drawing;
+    if (signal.aborted) return;
     view = viewer(job.hash, job.snapshots, signal, { on_time: (t) => plots?.point_at(t) });
     fill(picture, el("h2", {}, "What happened"), view);
   };
@@ -93,15 +95,15 @@ export async function show_job(root, { signal, word }) {
   };
   draw();
   fill(root, el("h1", {}, "Job ", el("code", { title: job.hash }, short(job.hash))), top, el("div", { class: "columns wide-left" }, picture, charts), result, live_log(address, () => job.state === "running", signal));
-  draw_picture();
   draw_series().catch(() => {});
+  await draw_picture();
   const again = gently(async () => {
     try {
       const before = job;
       job = await get(address, {}, signal);
       if (top.contains(document.activeElement) && before.state === job.state && before.wanted === job.wanted && job.result) return;
       draw();
-      if (job.snapshots.length !== before.snapshots.length) view?.add ? view.add(job.snapshots) : draw_picture();
+      if (job.snapshots.length !== before.snapshots.length) view?.add ? view.add(job.snapshots) : await draw_picture();
       if (job.state === "running" || job.state !== before.state) await draw_series();
     } catch {
       // The next news asks again.

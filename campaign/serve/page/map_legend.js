@@ -1,15 +1,16 @@
 // What the colours and marks of a map mean.
 
+import { axis } from "./chart.js";
 import { el, svg } from "./dom.js";
 import { digits, fixed } from "./format.js";
 
 function scale_bar({ scale }) {
   const width = 240, height = 14;
-  const part = (value) => (scale.logarithmic ? Math.log(value / scale.low) / Math.log(scale.high / scale.low) : (value - scale.low) / (scale.high - scale.low));
+  const part = (scale.logarithmic ? d3.scale.log() : d3.scale.linear()).domain([scale.low, scale.high]).range([0, width]);
   const step = width / scale.stops.length;
   return svg("svg", { viewBox: `-10 0 ${width + 20} ${height + 20}`, class: "scale", role: "img", "aria-label": `from ${scale.low} to ${scale.high}` },
     scale.stops.map((colour, k) => svg("rect", { x: k * step, y: 0, width: step + 0.5, height, fill: colour })),
-    scale.ticks.map((t) => [svg("path", { class: "tick", d: `M${part(t) * width} ${height}v4` }), svg("text", { x: part(t) * width, y: height + 16, "text-anchor": "middle" }, digits(t, 3))]));
+    axis(part, "bottom", [0, height], { values: scale.ticks, text: (value) => digits(value, 3), tick: 4, padding: 3 }));
 }
 
 function classes_key(map) {

@@ -1,7 +1,7 @@
 // The map as vector graphics: cells, marks of their states, the outline of EERs, curves, axes.
 
 import { fill, svg } from "./dom.js";
-import { linear, ticks } from "./chart.js";
+import { axis } from "./chart.js";
 import { digits, percent } from "./format.js";
 
 const margin = { left: 56, right: 12, top: 44, bottom: 46 };
@@ -10,8 +10,8 @@ export function draw_map(place, view) {
   const { map } = view;
   const width = Math.max(280, place.clientWidth || 640);
   const height = Math.round(Math.min(640, Math.max(340, width * 0.62)));
-  const x = linear(map.v.edges[0], map.v.edges.at(-1), margin.left, width - margin.right);
-  const y = linear(map.theta.edges[0], map.theta.edges.at(-1), height - margin.bottom, margin.top);
+  const x = d3.scale.linear().domain(d3.extent(map.v.edges)).range([margin.left, width - margin.right]);
+  const y = d3.scale.linear().domain(d3.extent(map.theta.edges)).range([height - margin.bottom, margin.top]);
   const focused = place.contains(document.activeElement) ? document.activeElement.dataset.cell : null;
   const at = new Map(map.cells.map((cell) => [`${cell.v},${cell.theta}`, cell]));
   const boxes = [];
@@ -94,43 +94,37 @@ function outline(boxes, map) {
   return path;
 }
 
-function curve(s, map, x, y) {
-  const [low, high] = [map.v.edges[0], map.v.edges.at(-1)];
-  const points = [];
-  for (let k = 0; k <= 120; ++k) {
-    const v = low + (k / 120) * (high - low);
-    if (v > s) points.push([x(v), y((Math.asin(s / v) * 180) / Math.PI)]);
-  }
-  return points;
+/// Where v sin(theta) = s.
+function curve(s, x, y) {
+  const [low, high] = x.domain();
+  return d3.range(121).map((k) => low + (k / 120) * (high - low)).filter((v) => v > s)
+    .map((v) => [x(v), y((Math.asin(s / v) * 180) / Math.PI)]);
 }
 
-const path_of = (points) => points.map(([a, b], k) => `${k ? "L" : "M"}${a.toFixed(1)} ${b.toFixed(1)}`).join("");
+const path_of = d3.svg.line();
 
 function curves(map, ridge, x, y, width, height) {
   const fitted = ridge && ridge.settings === map.settings && ridge.constant;
-  const band = fitted && [...curve(ridge.low, map, x, y), ...curve(ridge.high, map, x, y).reverse()];
+  const band = fitted && [...curve(ridge.low, x, y), ...curve(ridge.high, x, y).reverse()];
   return svg("g", { "clip-path": "url(#frame)" },
     svg("clipPath", { id: "frame" }, svg("rect", { x: margin.left, y: margin.top, width: width - margin.left - margin.right, height: height - margin.top - margin.bottom })),
     band && band.length > 0 && svg("path", { class: "band", d: `${path_of(band)}Z` }),
-    fitted && [svg("path", { class: "halo", d: path_of(curve(ridge.constant, map, x, y)) }), svg("path", { class: "fitted", d: path_of(curve(ridge.constant, map, x, y)) })],
-    map.paper_cm_per_s && [svg("path", { class: "halo", d: path_of(curve(map.paper_cm_per_s, map, x, y)) }), svg("path", { class: "paper", d: path_of(curve(map.paper_cm_per_s, map, x, y)) })]);
+    fitted && [svg("path", { class: "halo", d: path_of(curve(ridge.constant, x, y)) }), svg("path", { class: "fitted", d: path_of(curve(ridge.constant, x, y)) })],
+    map.paper_cm_per_s && [svg("path", { class: "halo", d: path_of(curve(map.paper_cm_per_s, x, y)) }), svg("path", { class: "paper", d: path_of(curve(map.paper_cm_per_s, x, y)) })]);
 }
 
 /// Places of the cells themselves, where there is room for their numbers, else round numbers.
-function places(axis, low, high, most) {
-  return axis.at.length <= most ? axis.at : ticks(low, high, most);
-}
+const places = (at, scale, most) => (at.length <= most ? at : scale.ticks(most));
 
 function axes(map, x, y, width, height) {
   const right = width - margin.right, bottom = height - margin.bottom, middle = (margin.left + right) / 2;
-  const v = places(map.v, map.v.edges[0], map.v.edges.at(-1), Math.floor((right - margin.left) / 42));
-  const theta = places(map.theta, map.theta.edges[0], map.theta.edges.at(-1), Math.floor((bottom - margin.top) / 22));
-  const over = ticks(map.v.edges[0] / map.v_esc_cm_per_s, map.v.edges.at(-1) / map.v_esc_cm_per_s, Math.floor((right - margin.left) / 60));
+  const over = d3.scale.linear().domain(x.domain().map((v) => v / map.v_esc_cm_per_s)).range(x.range());
+  const text = (value) => digits(value);
   return svg("g", { class: "axes" },
     svg("rect", { class: "frame", x: margin.left, y: margin.top, width: right - margin.left, height: bottom - margin.top }),
-    v.map((t) => svg("text", { x: x(t), y: bottom + 16, "text-anchor": "middle" }, digits(t))),
-    theta.map((t) => svg("text", { x: margin.left - 6, y: y(t) + 4, "text-anchor": "end" }, digits(t))),
-    over.map((t) => [svg("path", { class: "tick", d: `M${x(t * map.v_esc_cm_per_s)} ${margin.top}v-4` }), svg("text", { x: x(t * map.v_esc_cm_per_s), y: margin.top - 8, "text-anchor": "middle" }, digits(t))]),
+    axis(x, "bottom", [0, bottom], { values: places(map.v.at, x, Math.floor((right - margin.left) / 42)), text }),
+    axis(y, "left", [margin.left, 0], { values: places(map.theta.at, y, Math.floor((bottom - margin.top) / 22)), text }),
+    axis(over, "top", [0, margin.top], { count: Math.floor((right - margin.left) / 80), text, tick: 4, padding: 4 }),
     svg("text", { class: "title", x: middle, y: height - 8, "text-anchor": "middle" }, "impact speed, cm/s"),
     svg("text", { class: "title", x: middle, y: 14, "text-anchor": "middle" }, "impact speed over escape speed"),
     svg("text", { class: "title", "text-anchor": "middle", transform: `translate(12 ${(margin.top + bottom) / 2}) rotate(-90)` }, "impact angle, deg"));

@@ -1,147 +1,144 @@
-// Particles as shaded balls in WebGL 2: one draw call, turned by a trackball.
+// Particles as shaded balls by three.js: one draw call, turned by its trackball.
 
-const vertex = `#version 300 es
-in vec3 x;
-in vec3 colour;
-uniform mat3 turn;
-uniform vec3 centre;
-uniform vec2 scale;
-uniform float depth, size;
-out vec3 c;
+import { BufferAttribute, BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments, OrthographicCamera, Points as Cloud,
+  Quaternion, Scene, ShaderMaterial, Vector3, VertexColors, WebGLRenderer } from "./three.module.js";
+import { TrackballControls } from "./TrackballControls.js";
+
+const vertexShader = `
+attribute vec3 colour;
+uniform float size;
+varying vec3 c;
 void main() {
-  vec3 p = turn * (x - centre);
-  gl_Position = vec4(p.xy * scale, -p.z * depth, 1.0);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   gl_PointSize = size;
   c = colour;
 }`;
-const fragment = `#version 300 es
-precision mediump float;
-in vec3 c;
-out vec4 pixel;
+const fragmentShader = `
+varying vec3 c;
 void main() {
   vec2 r = 2.0 * gl_PointCoord - 1.0;
   float r2 = dot(r, r);
   if (r2 > 1.0) discard;
   float light = 0.55 + 0.45 * (0.35 * -r.x - 0.45 * r.y + 0.82 * sqrt(1.0 - r2));
-  pixel = vec4(c * light, 1.0);
+  gl_FragColor = vec4(c * light, 1.0);
 }`;
-const plain = `#version 300 es
-precision mediump float;
-in vec3 c;
-out vec4 pixel;
-void main() { pixel = vec4(c, 1.0); }`;
 
-function program(gl, fragment_text) {
-  const made = gl.createProgram();
-  for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment_text]]) {
-    const shader = gl.createShader(kind);
-    gl.shaderSource(shader, text);
-    gl.compileShader(shader);
-    gl.attachShader(made, shader);
+// Of the camera from what it looks at: where an orthographic one stands shows in nothing, but the
+// trackball tells only of moves that are not tiny.
+const distance = 1000;
+
+function renderer_on(canvas) {
+  try {
+    return new WebGLRenderer({ canvas, antialias: false, stencil: false, powerPreference: "high-performance" });
+  } catch {
+    throw new Error("This browser has no WebGL: particles cannot be drawn.");
   }
-  gl.bindAttribLocation(made, 0, "x");
-  gl.bindAttribLocation(made, 1, "colour");
-  gl.linkProgram(made);
-  if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(made));
-  const at = Object.fromEntries(["turn", "centre", "scale", "depth", "size"].map((name) => [name, gl.getUniformLocation(made, name)]));
-  return { made, at };
 }
 
-const multiply = (a, b) => [0, 1, 2].flatMap((i) => [0, 1, 2].map((j) => a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j]));
-const about_x = (t) => [1, 0, 0, 0, Math.cos(t), -Math.sin(t), 0, Math.sin(t), Math.cos(t)];
-const about_y = (t) => [Math.cos(t), 0, Math.sin(t), 0, 1, 0, -Math.sin(t), 0, Math.cos(t)];
-
 export class Points {
-  /// Throws where the browser has no WebGL 2.
-  constructor(canvas) {
-    const gl = canvas.getContext("webgl2", { antialias: false, powerPreference: "high-performance" });
-    if (!gl) throw new Error("This browser has no WebGL 2: particles cannot be drawn.");
-    Object.assign(this, { canvas, gl, turn: [1, 0, 0, 0, 1, 0, 0, 0, 1], centre: [0, 0, 0], half: 1, n: 0, radius: 1, lines: 0, frames: 0 });
-    this.balls = program(gl, fragment);
-    this.sticks = program(gl, plain);
-    this.of_points = this.arrays();
-    this.of_lines = this.arrays();
-    gl.enable(gl.DEPTH_TEST);
-    this.listen();
-    new ResizeObserver(() => this.draw_soon()).observe(canvas);
+  /// Throws where the browser has no WebGL. Gives up all that it holds when the signal comes.
+  constructor(canvas, signal) {
+    const camera = new OrthographicCamera(-1, 1, 1, -1), scene = new Scene();
+    Object.assign(this, { canvas, camera, scene, renderer: renderer_on(canvas), radius: 1, frames: 0 });
+    this.balls = new Cloud(new BufferGeometry(), new ShaderMaterial({ vertexShader, fragmentShader, uniforms: { size: { value: 1 } } }));
+    this.sticks = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: VertexColors, depthTest: false }));
+    this.sticks.renderOrder = 1;
+    for (const body of [this.balls, this.sticks]) scene.add(Object.assign(body, { frustumCulled: false }));
+    camera.position.z = distance;
+    this.controls = Object.assign(new TrackballControls(camera, canvas), { staticMoving: true, keys: [] });
+    this.listen(signal);
+    const watch = new ResizeObserver(() => this.fit());
+    watch.observe(canvas);
+    signal.addEventListener("abort", () => { watch.disconnect(); this.dispose(); });
   }
-  arrays() {
-    const { gl } = this, set = gl.createVertexArray(), x = gl.createBuffer(), colour = gl.createBuffer();
-    gl.bindVertexArray(set);
-    gl.bindBuffer(gl.ARRAY_BUFFER, x);
-    gl.enableVertexAttribArray(0);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
-    gl.bindBuffer(gl.ARRAY_BUFFER, colour);
-    gl.enableVertexAttribArray(1);
-    gl.vertexAttribPointer(1, 4, gl.UNSIGNED_BYTE, true, 0, 0);
-    return { set, x, colour };
+  /// Positions, 3 n, m; radius of a particle, m. Colours must follow.
+  positions(x, radius) {
+    this.radius = radius;
+    this.shape(this.balls, { position: new BufferAttribute(x, 3) });
   }
-  put(buffer, data) {
-    this.gl.bindBuffer(this.gl.ARRAY_BUFFER, buffer);
-    this.gl.bufferData(this.gl.ARRAY_BUFFER, data, this.gl.DYNAMIC_DRAW);
+  /// RGBA, a byte each.
+  colours(rgba) {
+    const { geometry } = this.balls, there = geometry.getAttribute("colour");
+    if (there) there.copyArray(rgba).needsUpdate = true;
+    else geometry.setAttribute("colour", new BufferAttribute(rgba, 4, true));
+    this.draw_soon();
   }
-  /// Positions, 3 n, m; radius of a particle, m.
-  positions(x, radius) { this.put(this.of_points.x, x); this.n = x.length / 3; this.radius = radius; this.draw_soon(); }
-  colours(rgba) { this.put(this.of_points.colour, rgba); this.draw_soon(); }
   /// Lines over everything: [{from, to, colour: [r, g, b]}].
   segments(list) {
-    this.put(this.of_lines.x, new Float32Array(list.flatMap((s) => [...s.from, ...s.to])));
-    this.put(this.of_lines.colour, new Uint8Array(list.flatMap((s) => [...s.colour, 255, ...s.colour, 255])));
-    this.lines = 2 * list.length;
+    this.shape(this.sticks, { position: new Float32BufferAttribute(list.flatMap((s) => [...s.from, ...s.to]), 3),
+      color: new Float32BufferAttribute(list.flatMap((s) => [...s.colour, ...s.colour]).map((octet) => octet / 255), 3) });
+  }
+  shape(body, attributes) {
+    body.geometry.dispose();
+    body.geometry = new BufferGeometry();
+    for (const [name, attribute] of Object.entries(attributes)) body.geometry.setAttribute(name, attribute);
     this.draw_soon();
   }
   /// What is in the middle, and how far the shorter side reaches from it, m.
-  look_at(centre, half) { this.centre = centre; this.half = half; this.draw_soon(); }
-  rotate(right, down) { this.turn = multiply(multiply(about_x(down), about_y(right)), this.turn); this.draw_soon(); }
-  zoom(factor) { this.half *= factor; this.draw_soon(); }
+  look_at(centre, half) {
+    const { camera, controls } = this, eye = camera.position.clone().sub(controls.target);
+    controls.target.fromArray(centre);
+    camera.position.addVectors(controls.target, eye);
+    camera.zoom = 1 / half;
+    controls.update();
+    this.draw_soon();
+  }
+  rotate(right, down) {
+    const { camera, controls } = this, eye = camera.position.clone().sub(controls.target);
+    const side = new Vector3().crossVectors(camera.up, eye).normalize();
+    const turn = new Quaternion().setFromAxisAngle(camera.up, -right).multiply(new Quaternion().setFromAxisAngle(side, -down));
+    camera.up.applyQuaternion(turn);
+    camera.position.addVectors(controls.target, eye.applyQuaternion(turn));
+    controls.update();
+  }
+  zoom(factor) {
+    this.camera.zoom /= factor;
+    this.controls.update();
+  }
+  fit() {
+    const { canvas, camera, controls, renderer } = this, { clientWidth: width, clientHeight: height } = canvas;
+    if (!width || !height) return;
+    const shorter = Math.min(width, height);
+    renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
+    renderer.setSize(width, height, false);
+    Object.assign(camera, { left: -width / shorter, right: width / shorter, top: height / shorter, bottom: -height / shorter });
+    // A drag over the shorter side turns by 3; what is pushed stays below the pointer.
+    Object.assign(controls, { rotateSpeed: (1.5 * width) / shorter, panSpeed: width / distance });
+    controls.handleResize();
+    this.draw();
+  }
   draw_soon() {
-    if (this.waiting) return;
-    this.waiting = true;
-    requestAnimationFrame(() => { this.waiting = false; this.draw(); });
+    this.waiting ??= requestAnimationFrame(() => this.draw());
   }
   draw() {
-    const { gl, canvas } = this, ratio = Math.min(2, devicePixelRatio || 1);
-    const width = Math.max(1, Math.round(canvas.clientWidth * ratio)), height = Math.max(1, Math.round(canvas.clientHeight * ratio));
-    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
-    gl.viewport(0, 0, width, height);
-    const dark = matchMedia("(prefers-color-scheme: dark)").matches;
-    gl.clearColor(...(dark ? [0.075, 0.082, 0.094] : [0.965, 0.961, 0.949]), 1);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const shorter = Math.min(width, height), pixels = shorter / (2 * this.half);
-    const uniforms = ({ made, at }, size) => {
-      gl.useProgram(made);
-      gl.uniformMatrix3fv(at.turn, true, this.turn);
-      gl.uniform3fv(at.centre, this.centre);
-      gl.uniform2f(at.scale, (2 * pixels) / width, (2 * pixels) / height);
-      gl.uniform1f(at.depth, 1 / (40 * this.half));
-      gl.uniform1f(at.size, size);
-    };
-    uniforms(this.balls, Math.max(1.5, 2 * this.radius * pixels));
-    gl.bindVertexArray(this.of_points.set);
-    gl.drawArrays(gl.POINTS, 0, this.n);
-    if (this.lines) {
-      uniforms(this.sticks, 1);
-      gl.disable(gl.DEPTH_TEST);
-      gl.bindVertexArray(this.of_lines.set);
-      gl.drawArrays(gl.LINES, 0, this.lines);
-      gl.enable(gl.DEPTH_TEST);
-    }
+    const { canvas, camera, renderer } = this, deep = 40 / camera.zoom;
+    cancelAnimationFrame(this.waiting);
+    this.waiting = null;
+    Object.assign(camera, { near: distance - deep, far: distance + deep });
+    camera.updateProjectionMatrix();
+    const pixels = 0.5 * Math.min(canvas.width, canvas.height) * camera.zoom;
+    this.balls.material.uniforms.size.value = Math.max(1.5, 2 * this.radius * pixels);
+    renderer.setClearColor(getComputedStyle(canvas).getPropertyValue("--paper").trim());
+    renderer.render(this.scene, camera);
     canvas.dataset.frames = ++this.frames;
   }
-  listen() {
-    const { canvas } = this, held = new Map();
-    canvas.addEventListener("pointerdown", (e) => { canvas.setPointerCapture(e.pointerId); held.set(e.pointerId, [e.clientX, e.clientY]); });
-    const apart = () => { const [a, b] = [...held.values()]; return Math.hypot(a[0] - b[0], a[1] - b[1]); };
-    canvas.addEventListener("pointermove", (e) => {
-      if (!held.has(e.pointerId)) return;
-      const before = held.get(e.pointerId), far = held.size === 2 && apart();
-      held.set(e.pointerId, [e.clientX, e.clientY]);
-      if (held.size === 2) return void this.zoom(far / Math.max(1, apart()));
-      const reach = Math.min(canvas.clientWidth, canvas.clientHeight);
-      this.rotate((3 * (e.clientX - before[0])) / reach, (3 * (e.clientY - before[1])) / reach);
-    });
-    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (e) => held.delete(e.pointerId));
-    canvas.addEventListener("wheel", (e) => { e.preventDefault(); this.zoom(Math.exp(Math.sign(e.deltaY) * 0.12)); }, { passive: false });
+  /// The trackball moves when it is asked to: after each event that concerns it, not in a loop.
+  listen(signal) {
+    const { canvas, camera, controls } = this, update = () => controls.update();
+    controls.addEventListener("change", () => this.draw_soon());
+    controls.addEventListener("start", () => document.addEventListener("mousemove", update, { signal }));
+    controls.addEventListener("end", () => { document.removeEventListener("mousemove", update); update(); });
+    canvas.addEventListener("touchmove", update);
+    // three.js r111 zooms an orthographic camera the wrong way round below two fingers.
+    let fingers = 0;
+    for (const kind of ["touchstart", "touchend"]) canvas.addEventListener(kind, (e) => { fingers = e.touches.length; }, { capture: true });
+    const zoom = controls.zoomCamera;
+    controls.zoomCamera = () => {
+      const before = camera.zoom;
+      zoom.call(controls);
+      if (fingers > 1) camera.zoom = before ** 2 / camera.zoom;
+    };
+    canvas.addEventListener("mousedown", () => canvas.focus({ preventScroll: true }));  // which the trackball prevents
     canvas.addEventListener("keydown", (e) => {
       const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[e.key];
       if (turns) this.rotate(...turns);
@@ -149,5 +146,13 @@ export class Points {
       else return;
       e.preventDefault();
     });
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw_soon(), { signal });
+  }
+  dispose() {
+    cancelAnimationFrame(this.waiting);
+    this.controls.dispose();
+    for (const { geometry, material } of [this.balls, this.sticks]) geometry.dispose(), material.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 }

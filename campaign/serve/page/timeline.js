@@ -1,7 +1,7 @@
 // When which worker was at work: a lane each, an attempt a bar.
 
 import { el, fill, svg } from "./dom.js";
-import { linear } from "./chart.js";
+import { axis } from "./chart.js";
 import { duration, short } from "./format.js";
 
 const time_of = (iso) => Date.parse(iso);
@@ -25,28 +25,26 @@ function kind_of(span) {
   return { finished: "done", failed: "failed", crashed: "failed" }[span.exit_reason] ?? "paused";
 }
 
-function clock_ticks(from, to, most) {
-  const steps = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 10800, 21600, 43200, 86400, 172800, 604800];
-  const step = 1000 * (steps.find((s) => (to - from) / (1000 * s) <= most) ?? 2592000);
-  const found = [];
-  for (let t = Math.ceil(from / step) * step; t <= to; t += step) found.push(t);
-  return found.map((t) => [t, new Date(t).toISOString().slice(step < 60000 ? 11 : step < 86400000 ? 11 : 5, step < 60000 ? 19 : step < 86400000 ? 16 : 10)]);
-}
+/// The time of day, and the date where it changes.
+const clock = d3.time.format.utc.multi([
+  ["%H:%M:%S", (t) => t.getUTCSeconds()],
+  ["%H:%M", (t) => t.getUTCHours() || t.getUTCMinutes()],
+  ["%b %-d", (t) => t.getUTCMonth() || t.getUTCDate() > 1],
+  ["%Y", () => true]]);
 
 function draw(picture, spans, width) {
   const now = Date.now();
   const lanes = lanes_of(spans, now).slice(0, 64);
   const tall = lanes.length > 24 ? 8 : 16, left = 8, right = 8, top = 4;
-  const from = Math.min(...lanes.flatMap((l) => l.spans.map((s) => s.from)));
-  const to = Math.max(...lanes.flatMap((l) => l.spans.map((s) => s.to)), from + 1000);
-  const x = linear(from, to, left, width - right);
-  const height = top + lanes.length * tall + 24;
+  const shown = lanes.flatMap((l) => l.spans), from = d3.min(shown, (s) => s.from);
+  const x = d3.time.scale.utc().domain([from, Math.max(d3.max(shown, (s) => s.to), from + 1000)]).range([left, width - right]);
+  const bottom = top + lanes.length * tall, height = bottom + 24;
   picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
   picture.setAttribute("height", height);
-  fill(picture, clock_ticks(from, to, Math.floor(width / 74)).map(([t, text]) => [
-    svg("path", { class: "grid", d: `M${x(t)} ${top}V${height - 20}` }),
-    svg("text", { x: Math.min(Math.max(x(t), 26), width - 26), y: height - 6, "text-anchor": "middle" }, text)]),
-  lanes.map((lane, k) => lane.spans.map((s) => svg("a", { href: `/job/${s.hash}`, tabindex: -1 },
+  // At the very ends there is no room for a time.
+  const times = x.ticks(Math.max(2, Math.floor(width / 90))).filter((t) => x(t) > 28 && x(t) < width - 28);
+  fill(picture, axis(x, "bottom", [0, bottom], { values: times, text: clock, grid: bottom - top }),
+    lanes.map((lane, k) => lane.spans.map((s) => svg("a", { href: `/job/${s.hash}`, tabindex: -1 },
     svg("rect", { class: `span is-${kind_of(s)}`, x: x(s.from), y: top + k * tall + 1, rx: 2,
       width: Math.max(2, x(s.to) - x(s.from) - 1), height: tall - 2 },
     svg("title", {}, `${short(s.hash)} on ${s.host}, ${duration((s.to - s.from) / 1000)}, ${s.ended ? s.failure_kind || s.exit_reason : "at work"}`))))));

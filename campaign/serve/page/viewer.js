@@ -41,7 +41,7 @@ export function viewer(hash, list, signal, { small = false, on_time = () => {} }
   const canvas = el("canvas", { tabindex: 0, role: "img", "aria-label": "Particles in three dimensions: turn with the mouse or the arrow keys, zoom with the wheel or + and -" });
   let points = null;
   try {
-    points = new Points(canvas);
+    points = new Points(canvas, signal);
   } catch (problem) {
     return el("p", { class: "empty" }, problem.message);
   }

@@ -134,6 +134,17 @@ TEST_F(SiteOfADatabase, AnswersEveryAddressOfThePageWithIt) {
   EXPECT_FALSE(script.etag.empty());
 }
 
+TEST_F(SiteOfADatabase, HoldsTheLibrariesOfThePageAndTheirNotices) {
+  EXPECT_THAT(site.answer("/page/d3.min.js", {}).body, HasSubstr("d3.svg.axis"));
+  EXPECT_THAT(site.answer("/page/three.module.js", {}).body, HasSubstr("WebGLRenderer"));
+  EXPECT_THAT(site.answer("/page/TrackballControls.js", {}).body,
+              HasSubstr("from \"./three.module.js\""));
+  const Reply notices = site.answer("/page/copyright.txt", {});
+  EXPECT_THAT(notices.type, HasSubstr("text/plain"));
+  for (const char* holder : {"the eerie authors", "Michael Bostock", "three.js"})
+    EXPECT_THAT(notices.body, HasSubstr(holder));
+}
+
 TEST_F(SiteOfADatabase, SaysWhatIsWrongWithAnAddress) {
   for (const char* path : {"/api/nothing", "/page/../campaign/main.cpp", "/page/", "/etc/passwd",
                            "/../../etc/passwd", "/api/", "/map/"})
