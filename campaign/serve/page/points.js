@@ -1,7 +1,7 @@
 // Particles as shaded balls by three.js: one draw call, turned by its trackball.
 
 import { BufferAttribute, BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments, OrthographicCamera, Points as Cloud,
-  Quaternion, Scene, ShaderMaterial, Vector3, VertexColors, WebGLRenderer } from "./three.module.js";
+  Scene, ShaderMaterial, Vector3, VertexColors, WebGLRenderer } from "./three.module.js";
 import { TrackballControls } from "./TrackballControls.js";
 
 const vertexShader = `
@@ -76,24 +76,21 @@ export class Points {
   }
   /// What is in the middle, and how far the shorter side reaches from it, m.
   look_at(centre, half) {
-    const { camera, controls } = this, eye = camera.position.clone().sub(controls.target);
-    controls.target.fromArray(centre);
-    camera.position.addVectors(controls.target, eye);
-    camera.zoom = 1 / half;
-    controls.update();
-    this.draw_soon();
-  }
-  rotate(right, down) {
-    const { camera, controls } = this, eye = camera.position.clone().sub(controls.target);
-    const side = new Vector3().crossVectors(camera.up, eye).normalize();
-    const turn = new Quaternion().setFromAxisAngle(camera.up, -right).multiply(new Quaternion().setFromAxisAngle(side, -down));
-    camera.up.applyQuaternion(turn);
-    camera.position.addVectors(controls.target, eye.applyQuaternion(turn));
-    controls.update();
+    const { camera, controls: { target } } = this, eye = camera.position.clone().sub(target);
+    camera.position.addVectors(target.fromArray(centre), eye);
+    this.zoom(camera.zoom * half);
   }
   zoom(factor) {
     this.camera.zoom /= factor;
     this.controls.update();
+    this.draw_soon();
+  }
+  rotate(right, down) {
+    const { camera, controls } = this, eye = camera.position.sub(controls.target).applyAxisAngle(camera.up, -right);
+    const side = new Vector3().crossVectors(camera.up, eye).normalize();
+    for (const arm of [eye, camera.up]) arm.applyAxisAngle(side, -down);
+    eye.add(controls.target);
+    controls.update();
   }
   fit() {
     const { canvas, camera, controls, renderer } = this, { clientWidth: width, clientHeight: height } = canvas;
@@ -140,11 +137,10 @@ export class Points {
     };
     canvas.addEventListener("mousedown", () => canvas.focus({ preventScroll: true }));  // which the trackball prevents
     canvas.addEventListener("keydown", (e) => {
-      const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[e.key];
-      if (turns) this.rotate(...turns);
-      else if (e.key === "+" || e.key === "-") this.zoom(e.key === "+" ? 0.85 : 1.18);
-      else return;
+      const turn = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[e.key], factor = { "+": 0.85, "-": 1.18 }[e.key];
+      if (!turn && !factor) return;
       e.preventDefault();
+      turn ? this.rotate(...turn) : this.zoom(factor);
     });
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw_soon(), { signal });
   }
