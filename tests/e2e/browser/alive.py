@@ -52,7 +52,7 @@ with Browser(base, token) as page:
     page.open("/campaign")
     page.press(".submit summary", lambda: page.js("return document.querySelector('.submit').open"),
                "the form opens", again_after=2)
-    page.one(".submit textarea").send_keys('{"name": "more", "scene": {"numerics": {"particles_per_target": 100}}, "grid": {"v_imp_cm_per_s": [33]}}')
+    page.keys(".submit textarea", '{"name": "more", "scene": {"numerics": {"particles_per_target": 100}}, "grid": {"v_imp_cm_per_s": [33]}}')
     page.press("[data-action='submit']", lambda: "more: 1 jobs, 1 new" in page.text("#toast"),
                "the sweep is taken")
     page.until(lambda: "more" in page.text("table"), "and stands in the table")

@@ -4,8 +4,8 @@ import json
 import time
 
 from selenium import webdriver
-from selenium.common.exceptions import (ElementClickInterceptedException, StaleElementReferenceException,
-                                        WebDriverException)
+from selenium.common.exceptions import (ElementClickInterceptedException, ElementNotInteractableException,
+                                        StaleElementReferenceException, WebDriverException)
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
@@ -85,6 +85,9 @@ class Browser:
     def text(self, selector="main"):
         return self.on(selector, lambda node: node.text)
 
+    def click(self, selector):
+        self.on(selector, lambda node: node.click())
+
     def keys(self, selector, text):
         self.on(selector, lambda node: node.send_keys(text))
 
@@ -94,7 +97,7 @@ class Browser:
             try:
                 if condition():
                     return
-            except StaleElementReferenceException:
+            except (StaleElementReferenceException, ElementNotInteractableException):
                 pass  # the page has drawn itself anew meanwhile
             time.sleep(0.05)
         raise AssertionError(f"not within {patience} s: {what}\n{self.said()}")

@@ -152,7 +152,7 @@ def job(page, name):
     last = int(page.js("return document.querySelector('.viewer input[type=range]').max"))
     page.js("const s = document.querySelector('.viewer input[type=range]'); s.value = 0; s.dispatchEvent(new Event('input'))")
     page.until(lambda: page.js("return document.querySelector('canvas').dataset.shown") == "0", "the first snapshot")
-    page.one(".play").click()
+    page.click(".play")
     page.until(lambda: page.js("return document.querySelector('canvas').dataset.shown") == str(last), "it plays to the last")
     expect("b/a" in page.text(".caption"), "the axes of the remnant are told")
     page.until(lambda: len(page.all(".chart svg[role='img']")) == 4, "four charts over time")
@@ -169,7 +169,7 @@ def compare(page):
     page.open("/jobs")
     for box in page.all("table.jobs tbody input")[:2]:
         box.click()
-    page.one("a.button[href^='/compare']").click()
+    page.click("a.button[href^='/compare']")
     page.until(lambda: len(page.all(".side-by-side canvas")) == 2, "two jobs side by side")
     expect("impact.theta_imp_deg" in page.text("table.compare"), "what differs in the scene")
     fits(page, page.driver.current_url[len(base):])
