@@ -56,13 +56,8 @@ settled: packages-test  ## what the settled stop would have done to runs to 1e5 
 	@$(BUILD)/tests/bench/eerie_settled $(BUILD)/settled/settled.sqlite.jobs docs/notebook/accuracy/settled-survey.csv 4000 0.003 0.05 0.02
 	@$(BUILD)/tests/bench/eerie_settled_figure docs/notebook/accuracy/settled.csv docs/notebook/accuracy/settled-survey.csv docs/notebook/accuracy/settled.svg
 
-results: build  ## the surveys beside the paper's Figs. 2b and 4 (2 core-hours): docs/notebook/results
-	@mkdir -p $(BUILD)/results
-	@for seed in 1 2; do $(BUILD)/eerie run sweeps/fig2b-ridge.json --fidelity survey --set numerics.seed=$$seed --db $(BUILD)/results/fig2b.sqlite || exit 1; done
-	@$(BUILD)/eerie run sweeps/fig2b-ridge.json --fidelity auto --db $(BUILD)/results/fig2b.sqlite
-	@$(BUILD)/eerie run sweeps/fig4-ridge.json --fidelity survey --db $(BUILD)/results/fig4.sqlite
-	@for s in fig2a fig2b fig4 phi30 fig6 q025; do $(BUILD)/eerie run sweeps/table2-$$s.json --fidelity sketch --db $(BUILD)/results/table2.sqlite || exit 1; done
-	@EERIE=$(BUILD)/eerie docs/notebook/results/make.sh $(BUILD)/results
+results: build  ## draw the campaign of the paper anew from its database, without a run: docs/results
+	@EERIE=$(BUILD)/eerie docs/results/make.sh
 
 test-faults: packages-test  ## kill, damage and starve campaigns (30 minutes): 1,000 kills, 400 power cuts, every named point
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON > /dev/null

@@ -98,6 +98,14 @@ double width_about(const Vec3& centre, const SeenBody& b) {
                        b.y_high - centre.y});
 }
 
+/// Width of the square about the centre of mass that holds all bodies, m.
+double width_of_all(const Layout& layout) {
+  double width = 0;
+  for (const SeenBody& body : layout.bodies)
+    width = std::max(width, width_about(layout.centre, body));
+  return width;
+}
+
 drawing::Colour colour_of(double value, const ColourScale& scale) {
   if (scale.colour == ParticleColour::body) return value == 0 ? target_colour : impactor_colour;
   return drawing::quantity_colour(scale.top > 0 ? value / scale.top : 0);
@@ -137,7 +145,7 @@ Layout layout_of(const io::Snapshot& snapshot) {
 Frame frame_of(std::span<const Layout> panels, std::optional<double> width) {
   double all = 0, largest = 0, alone = 0, most = 0;
   for (const Layout& p : panels) {
-    for (const SeenBody& body : p.bodies) all = std::max(all, width_about(p.centre, body));
+    all = std::max(all, width_of_all(p));
     largest = std::max(largest, width_about(p.centre, p.bodies.front()));
     alone = std::max(alone, width_about(p.bodies.front().centre, p.bodies.front()));
     most = std::max(most, widest_frame * p.body_diameters);
@@ -145,11 +153,14 @@ Frame frame_of(std::span<const Layout> panels, std::optional<double> width) {
   const double limit = width.value_or(most);
   const Frame about_all{width.value_or(std::min(margin * all, most)), false};
   if (margin * all <= limit || margin * largest <= limit) return about_all;
-  return {width.value_or(std::min(std::max(margin * alone, most / 2), most)), true};
+  const double first = margin * width_of_all(panels.front());
+  const double needed = std::max({margin * alone, most / 2, first <= most ? first : 0});
+  return {width.value_or(std::min(needed, most)), true};
 }
 
 Vec3 frame_centre(const Frame& frame, const Layout& layout) {
-  return frame.on_largest ? layout.bodies.front().centre : layout.centre;
+  return frame.on_largest && width_of_all(layout) > frame.width ? layout.bodies.front().centre
+                                                                : layout.centre;
 }
 
 std::size_t remnants_outside(const Frame& frame, const Layout& layout) {

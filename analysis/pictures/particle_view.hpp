@@ -55,7 +55,8 @@ Layout layout_of(const io::Snapshot& snapshot);
 /// The square that every panel shows.
 struct Frame {
   double width = 0;  ///< m
-  /// Whether it is centred on the largest remnant of each panel, instead of the centre of mass.
+  /// Whether a panel whose remnants it cannot hold about the centre of mass is centred on the
+  /// largest of them.
   bool on_largest = false;
 };
 
@@ -65,8 +66,9 @@ inline constexpr double widest_frame = 3;
 
 /// The frame about the centre of mass that contains all remnants of all panels. Where that would be
 /// wider than widest_frame, its width is limited to that. The limited frame is about the centre of
-/// mass if it contains the largest remnant of each panel, and otherwise about that remnant.
-/// `width`, m, replaces the width.
+/// mass if it contains the largest remnant of each panel, and otherwise about that remnant. It
+/// still holds all bodies of the first panel where the limit lets it. `width`, m, replaces the
+/// width.
 Frame frame_of(std::span<const Layout> panels, std::optional<double> width = std::nullopt);
 
 /// The middle of the frame in a panel, m; the number of its remnants with their centre outside.

@@ -11,15 +11,19 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/auto_fidelity/auto_fidelity.hpp"
-#include "campaign/maps/map.hpp"
+#include "campaign/auto_fidelity/auto_map.hpp"
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/job.hpp"
+#include "campaign/text/json_file.hpp"
 #include "db/jobs/jobs.hpp"
 #include "db/views/query.hpp"
 #include "solver/base/file.hpp"
 
 namespace eerie {
 namespace {
+using namespace auto_fidelity;
+using namespace sweeps;
+using namespace diagrams;
 namespace fs = std::filesystem;
 
 /// Copies the result of a scene, where `from` has one.

@@ -14,12 +14,12 @@ inline Scene scene(long particles_per_target, const std::string& precision = "fl
 }
 
 /// The two bodies at the start of the reference impact, in memory order. Made once per size.
-inline const State& bodies(long particles_per_target) {
-  static std::map<long, State> made;
+inline const particles::State& bodies(long particles_per_target) {
+  static std::map<long, particles::State> made;
   auto& state = made[particles_per_target];
   if (state.size() == 0) {
     const Scene s = scene(particles_per_target);
-    state = Solver(s, make_impact(s)).state();
+    state = step::Solver(s, initial::make_impact(s)).state();
   }
   return state;
 }

@@ -15,6 +15,11 @@
 
 namespace eerie {
 namespace {
+using namespace remnants;
+using namespace material;
+using namespace particles;
+using namespace step;
+using namespace io;
 
 /// The scene with moduli times `factor`: sound speeds times its root.
 Scene softened(Scene scene, double factor) {
@@ -64,7 +69,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   omp_set_num_threads(1);
-  const eerie::Snapshot from = eerie::read_snapshot(argv[1]);
+  const eerie::io::Snapshot from = eerie::io::read_snapshot(argv[1]);
   fmt::print(
       "v_imp_cm_per_s,theta_imp_deg,from_s,to_s,sound_speed_factor,core_s,class,m_1_over_m_total,"
       "b_over_a,c_over_a,period_h\n");

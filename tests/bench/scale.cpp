@@ -86,7 +86,8 @@ double overhead_ms(const fs::path& folder) {
   const db::Connection connection(folder / "eerie.sqlite", db::Access::read);
   double of_impacts = 0;
   for (const db::Job& job : db::jobs(connection, {.selection = {.sweep = "real"}}))
-    if (const auto stored = read_result(job_folder(connection).of(job.hash), job.hash))
+    if (const auto stored =
+            job_folder::read_result(job_folder::job_folder(connection).of(job.hash), job.hash))
       of_impacts += stored->result.wall_s;
   return (wall - of_impacts) / real * 1000;
 }
@@ -133,16 +134,16 @@ void draw(const fs::path& csv, const fs::path& picture) {
   script += bench::data_block("$rows", csv);
   script += drawing::Literal(R"(
 set logscale xy
-set format x '10^{%T}'
+set xtics ('1,000' 1e3, '10,000' 1e4, '100,000' 1e5)
 set xlabel 'jobs in the database' offset 0,0.5
 set xrange [700:150000]
 set border lw 0.5
 set tics scale 0.5
-set title 'A campaign of many jobs: time of each command' font ',7'
+set title 'Time of each command; in brackets: at most (s)' font ',7'
 set key outside top left horizontal Left reverse samplen 1 maxcols 2 font ',6.5'
 set grid ytics lc rgb '#dddddd'
 set ylabel 'time (s); overhead: s per job' offset 1
-plot $rows using 1:2 with linespoints pt 7 lc rgb '#0072b2' title 'submit (at most 10)', \
+plot $rows using 1:2 with linespoints pt 7 lc rgb '#0072b2' title 'submit (10)', \
      $rows using 1:3 with linespoints pt 5 lc rgb '#d55e00' title 'status (0.2)', \
      $rows using 1:4 with linespoints pt 9 lc rgb '#009e73' title 'query (0.2)', \
      $rows using 1:5 with linespoints pt 11 lc rgb '#cc79a7' title 'pause all', \
@@ -157,7 +158,7 @@ plot $rows using 1:2 with linespoints pt 7 lc rgb '#0072b2' title 'submit (at mo
 int main(int argc, char** argv) {
   using namespace eerie;
   if (argc < 2) {
-    fmt::print(stderr, "usage: eerie_scale FOLDER [LARGEST]\n");
+    fmt::print(stderr, "usage: eerie_scale FOLDER [LARGEST]   (0: draw scale.csv again)\n");
     return 2;
   }
   const fs::path folder = argv[1];
@@ -171,6 +172,6 @@ int main(int argc, char** argv) {
     fmt::print("{}", csv.substr(csv.rfind('\n', csv.size() - 2) + 1));
     std::fflush(stdout);
   }
-  install_text(folder / "scale.csv", csv);
+  if (largest > 0) install_text(folder / "scale.csv", csv);
   draw(fs::absolute(folder / "scale.csv"), folder / "scale.svg");
 }

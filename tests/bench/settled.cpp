@@ -20,6 +20,10 @@
 
 namespace eerie {
 namespace {
+using namespace remnants;
+using namespace ending;
+using namespace job_folder;
+using namespace io;
 namespace fs = std::filesystem;
 
 /// What users want of a state.

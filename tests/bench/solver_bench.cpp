@@ -12,6 +12,12 @@
 namespace eerie {
 namespace {
 
+using namespace particles;
+using namespace step;
+using namespace run;
+using namespace tree;
+using namespace initial;
+
 void count(benchmark::State& run, double particles_per_iteration) {
   run.counters["particles"] =
       benchmark::Counter(particles_per_iteration, benchmark::Counter::kIsIterationInvariantRate);

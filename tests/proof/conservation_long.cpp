@@ -57,13 +57,13 @@ TEST(ReferenceImpact, ConservesWhatItMust) {
                "pressure does, more so at low resolution");
   record.figure({"energy-budget",
                  "Where the energy goes",
-                 "time [s]",
+                 "time (s)",
                  "energy / initial kinetic",
                  {kinetic, potential, viscous, friction, total},
                  ""});
   record.figure({"conservation",
                  "Errors of what is conserved",
-                 "time [s]",
+                 "time (s)",
                  "relative error",
                  {energy, momentum, angular},
                  "set logscale y; set format y '10^{%T}'; set yrange [1e-7:1e-2]"});

@@ -35,7 +35,7 @@ TEST(ReferenceImpact, MergesIntoOneExtremelyElongatedRemnant) {
       "3e4 s. The paper, with 50,000: almost complete merging, b/a 0.24, period 9.36 h. The "
       "pair is drawn to a cigar, falls back and freezes by 2.5e4 s.");
   Figure figure{"reference", "The largest remnant of the reference impact",
-                "time [s]",  "",
+                "time (s)",  "",
                 {},          "set yrange [0:1.1]"};
   const ImpactEnd end = charted(impact_scene(5000, nlohmann::json::object()), 30000, figure);
   ASSERT_FALSE(end.failed) << end.failure;
@@ -57,7 +57,7 @@ TEST(ReferenceImpact, LeavesNoExtremelyElongatedRemnantAtThirtyDegreesOfFriction
       "The same at phi_d 30 deg, for which the paper finds no EER anywhere. The pair pinches "
       "in two halves that meet again only after 3e4 s, so it is followed to 4.5e4 s.");
   Figure figure{
-      "reference-30",      "The largest remnant at 30 degrees of friction", "time [s]", "", {},
+      "reference-30",      "The largest remnant at 30 degrees of friction", "time (s)", "", {},
       "set yrange [0:1.1]"};
   const ImpactEnd end = charted(
       impact_scene(5000, {{"material", {{"drucker_prager", {{"phi_d_deg", 30}}}}}}), 45000, figure);

@@ -45,7 +45,7 @@ TEST(RestingSphere, KeepsItsShapeForADay) {
                 "virial theorem; the surface adds a part of order h/R = 0.19");
   record.figure({"rest",
                  "Speeds inside a resting sphere",
-                 "time [s]",
+                 "time (s)",
                  "rms speed / escape speed",
                  {speed},
                  "set logscale y; set format y '10^{%T}'"});

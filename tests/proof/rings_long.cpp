@@ -42,8 +42,8 @@ TEST(RubberRingsLong, BounceAndStayWholeWithArtificialStressOnly) {
                 "by symmetry slip walls stand for the other ring: only rounding differs");
   Figure figure{"rings_whole",
                 "Rings after the collision, with artificial stress 0.5",
-                "x, cm",
-                "y, cm",
+                "x (cm)",
+                "y (cm)",
                 {points("one layer of particles", whole.x)},
                 "set size ratio -1"};
   record.figure(figure);

@@ -243,7 +243,7 @@ TEST(CorrectionMatrix, IsMissedMostWhereItIsLeftOut) {
   }
   record.figure({"uncorrected",
                  "Particles without a correction matrix",
-                 "time [s]",
+                 "time (s)",
                  "fraction",
                  {alone},
                  "set yrange [0:0.5]"});

@@ -119,7 +119,7 @@ TEST(LateTimes, LeaveASettledRemnantAsItIs) {
                 "what a whole impact may lose");
   record.figure({"creep",
                  "The largest remnant to 1e5 s",
-                 "time [s]",
+                 "time (s)",
                  "",
                  {shape, period, mass},
                  "set yrange [0:1.1]"});

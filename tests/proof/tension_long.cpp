@@ -84,8 +84,8 @@ TEST(TensionLong, StrengthFollowsTheRateWhereSeveralFlawsOfAParticleAreActive) {
   record.figure(
       {"tension",
        "Largest mean tension of a basalt cube pulled apart at constant rate",
-       "strain rate of each direction, 1/s",
-       "strength, MPa",
+       "strain rate of each direction (1/s)",
+       "strength (MPa)",
        {law, fitted, fixed, alone},
        "set logscale xy\nset xrange [0.7:2e4]\nset yrange [5:300]\nset format x '10^{%T}'"});
 }

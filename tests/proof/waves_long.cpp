@@ -72,8 +72,8 @@ TEST(WavesLong, SodTubeConvergesToTheExactSolution) {
   Figure figure{"sod",
                 "Density in Sod's tube at 0.02 s, 200 particles in the dense half, and the exact "
                 "solution",
-                "x, m",
-                "density, kg/m^3",
+                "x (m)",
+                "density (kg/m^3)",
                 {},
                 ""};
   figure.curves.push_back({"SPH", thinned(fine.x), thinned(fine.rho), "points pt 7 ps 0.15"});

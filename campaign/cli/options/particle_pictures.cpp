@@ -61,7 +61,8 @@ Answer draw_pictures(const PictureArguments& a, const std::filesystem::path& fol
         {fmt::format("a film of {} frame{}, as the run wrote so many snapshots; a run with "
                      "output.snapshot_interval_s writes more",
                      drawn.frames, drawn.frames == 1 ? "" : "s")});
-  answer.say("{:.4g} m wide, about the {}\n", drawn.frame.width, centre);
+  answer.say("{:.0f} m wide, about the centre of mass{}\n", drawn.frame.width,
+             drawn.frame.on_largest ? ", or the largest remnant where not all have room" : "");
   answer.add_files(files);
   return answer;
 }

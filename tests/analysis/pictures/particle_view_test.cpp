@@ -88,6 +88,25 @@ TEST(Frame, FollowsTheLargestRemnantWhereBodiesFlyApart) {
   EXPECT_EQ(remnants_outside(frame, panels[1]), 1u);
 }
 
+/// Whether the panel shows the body from edge to edge.
+bool is_whole(const Frame& frame, const Layout& panel, const SeenBody& body) {
+  const Vec3 centre = frame_centre(frame, panel);
+  const double half = frame.width / 2;
+  return body.x_low >= centre.x - half && body.x_high <= centre.x + half &&
+         body.y_low >= centre.y - half && body.y_high <= centre.y + half;
+}
+
+// The default of impact.separation puts the centres 200 m apart.
+TEST(Frame, ShowsBothBodiesWholeAtTheStartThoughTheyFlyApart) {
+  const std::vector<Layout> panels = {layout_of(two_bodies(200)), layout_of(two_bodies(3000))};
+  const Frame frame = frame_of(panels);
+  ASSERT_TRUE(frame.on_largest);
+  ASSERT_EQ(panels[0].bodies.size(), 2u);
+  for (const SeenBody& body : panels[0].bodies) EXPECT_TRUE(is_whole(frame, panels[0], body));
+  EXPECT_TRUE(is_whole(frame, panels[1], panels[1].bodies.front()));
+  EXPECT_FALSE(is_whole(frame, panels[1], panels[1].bodies.back()));
+}
+
 TEST(Frame, StaysAtTheCentreOfMassWhenOnlySmallRemnantsFlyAway) {
   particles::State state = test::empty_state();
   test::add_body(state, ball, {}, {}, particles::Body::target);
