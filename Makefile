@@ -3,7 +3,7 @@
 BUILD ?= build
 JOBS  ?= $(shell env -u OMP_NUM_THREADS nproc)
 
-.PHONY: help run build test validate reference gallery bench scale settled results test-faults sanitize odr fuzz format tidy install deb test-deb clean packages-run packages-test packages-fuzz packages-deb
+.PHONY: help run build test validate reference gallery bench scale settled results test-faults sanitize odr fuzz format tidy install deb test-deb test-container clean packages-run packages-test packages-fuzz packages-deb
 FUZZ_SECONDS ?= 600
 PREFIX ?= /usr/local
 
@@ -101,6 +101,9 @@ test-deb: deb  ## install, run, upgrade and remove the packages in a fresh Debia
 	@.ci/packages deb-test
 	@cpack --config $(BUILD)-deb/CPackConfig.cmake -B $(BUILD)-deb/newer -D CPACK_DEBIAN_PACKAGE_RELEASE=2 > $(BUILD)-deb/cpack.log
 	@.ci/deb/test $(BUILD)-deb/packages $(BUILD)-deb/newer
+
+test-container:  ## build the container, run a sweep in it (podman, docker or buildah; CONTAINER_PACKAGES=FOLDER: of these packages)
+	@.ci/test-container $(CONTAINER_PACKAGES)
 
 format:  ## lay out the sources with clang-format
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

@@ -39,6 +39,8 @@ endif()
 # `make deb`: two packages, eerie and python3-eerie.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME eerie)
+# To Debian a release candidate is older than its release.
+string(REPLACE "-rc" "~rc" CPACK_PACKAGE_VERSION ${EERIE_VERSION})
 set(CPACK_PACKAGE_CONTACT "the eerie authors <eerie@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_FILE ${CMAKE_SOURCE_DIR}/.ci/deb/description)
 set(CPACK_COMPONENTS_ALL program)

@@ -218,18 +218,15 @@ void add_commands(CLI::App& app, Action& chosen, Output& out) {
 
 /// --help and --version are answers, all else is a complaint.
 int exit_of_parser(const CLI::App& app, const CLI::ParseError& error, Output& out) {
-  std::ostringstream said, complained;
-  if (const std::string unknown = manual::unknown_options(app, sweeps::field_paths());
-      !unknown.empty() && error.get_exit_code() != 0)
-    complained << "eerie: " << unknown;
-  else
-    app.exit(error, said, complained);
-  out.write(said.str());
-  if (std::string text = complained.str(); !text.empty()) {
-    text.erase(text.find_last_not_of('\n') + 1);
-    complain(text);
+  if (error.get_exit_code() == 0) {
+    std::ostringstream said;
+    app.exit(error, said, said);
+    out.write(said.str());
+    return 0;
   }
-  return error.get_exit_code() == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
+  const std::string unknown = manual::unknown_options(app, sweeps::field_paths());
+  complain("eerie: " + (unknown.empty() ? manual::wrong_use(app, error) : unknown));
+  return static_cast<int>(ExitCode::bad_input);
 }
 
 /// --version, and --version --json.

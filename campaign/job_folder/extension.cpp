@@ -90,7 +90,12 @@ Scene extended_scene(const JobDirectory& finished, const Scene& scene, double un
   const bool waits = had_to_end || (had_settled && scene.end.latest_s > scene.end.time_s);
   nlohmann::json document = to_json(scene);
   document["end"][waits ? "latest_s" : "time_s"] = until_s;
-  return parse_scene(document, "--until");
+  return parse_scene(document, "--until: scene");
+}
+
+bool may_be_extended(const JobDirectory& finished) {
+  std::error_code ignored;
+  return fs::exists(finished.path / run::before_end_file, ignored);
 }
 
 double make_extension(const JobDirectory& finished, const JobDirectory& longer,

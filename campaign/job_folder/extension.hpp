@@ -12,6 +12,9 @@ namespace eerie::job_folder {
 /// no state that a run with a later end would have had too.
 Scene extended_scene(const JobDirectory& finished, const Scene& scene, double until_s);
 
+/// Whether a finished run has kept a state to go on from. extended_scene() asks for more.
+bool may_be_extended(const JobDirectory& finished);
+
 /// Makes the directory of the run that goes on with the finished one: the state before the end
 /// began to matter as its checkpoint, and the history, looks and snapshots until then. All files
 /// are those of a run of `later` that was stopped there, so its end has the same bits as that of

@@ -7,7 +7,7 @@ namespace eerie::job_folder {
 
 /// The program, build and machine behind a result.
 struct Provenance {
-  std::string version;         ///< of eerie, "0.1.0"
+  std::string version;         ///< of eerie, "1.0.0-rc1"
   std::string solver_version;  ///< solver/base/version.hpp
   std::string commit;          ///< git commit of the build, with "+" for uncommitted changes
   std::string compiler;        ///< "g++ 12.2.0"

@@ -12,7 +12,9 @@
 #include "campaign/manager/attempts/attempt_verdict.hpp"
 #include "db/jobs/doctor.hpp"
 #include "db/jobs/jobs.hpp"
+#include "db/store/migrations.hpp"
 #include "db/store/settings.hpp"
+#include "db/store/upgrade.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 #include "solver/base/free_space.hpp"
@@ -65,6 +67,11 @@ class Examination {
            "from the job directories");
     for (const std::string& broken : db::broken_references(reader_))
       find(fmt::format("database {}: {}", reader_.path().string(), broken), "restore a copy");
+    if (const int schema = db::schema_of_file(reader_.path()); schema < db::latest_version())
+      note(fmt::format("database {}: it has schema {} of an older eerie, this one's is {}",
+                       reader_.path().string(), schema, db::latest_version()),
+           "it is read as it is; what writes to it (`run`, `daemon`, `doctor --fix`) changes its "
+           "schema and keeps a copy");
     const auto made_by = db::setting(reader_, "solver_version");
     if (made_by && *made_by != solver_version)
       note(fmt::format("this program's solver is version {}, the database was last worked on with "

@@ -127,7 +127,7 @@ Request read_request(const fs::path& file, const fs::path& database) {
 /// A manager that has just begun may still be making the database.
 std::optional<std::string> answer_in(const fs::path& database, const std::string& id) {
   try {
-    return db::answer(db::Connection(database, db::Access::read), id);
+    return db::answer(db::Connection(database, db::Access::read_any), id);
   } catch (const db::Error&) {
     return std::nullopt;
   }

@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <utility>
 
 #include "campaign/manual/command_table.hpp"
 #include "campaign/text/closest_names.hpp"
@@ -39,6 +42,67 @@ std::vector<std::string> likely_options(const CLI::App& command, const std::stri
   return likely;
 }
 
+/// The parts of a text before and after the first `between`, where it has that.
+std::optional<std::pair<std::string, std::string>> split_at(const std::string& text,
+                                                            const std::string& between) {
+  const std::size_t at = text.find(between);
+  if (at == std::string::npos) return std::nullopt;
+  return std::pair(text.substr(0, at), text.substr(at + between.size()));
+}
+
+/// "0.500000" as people write it.
+std::string short_number(const std::string& text) {
+  return fmt::format("{}", std::strtod(text.c_str(), nullptr));
+}
+
+/// What a validator says behind the name of its option.
+std::string wrong_value(const std::string& option, const std::string& said) {
+  if (const auto range = split_at(said, " not in range "); range && said.starts_with("Value ")) {
+    const auto ends = split_at(range->second, " to ");
+    const std::string value = range->first.substr(std::string("Value ").size());
+    if (ends)
+      return fmt::format("{} = {}: must be {} to {}", option, value, short_number(ends->first),
+                         short_number(ends->second));
+  }
+  if (const auto words = split_at(said, " not in {")) {
+    std::string list = words->second.substr(0, words->second.find('}'));
+    for (std::size_t at = 0; (at = list.find(',', at)) != std::string::npos; at += 2)
+      list.replace(at, 1, ", ");
+    return fmt::format("{} = {}: must be one of {}", option, words->first, list);
+  }
+  return fmt::format("{}: {}", option, said);
+}
+
+std::string meaning_of(const CLI::App& command, const std::string& option) {
+  const CLI::Option* found = command.get_option_no_throw(option);
+  return found == nullptr || found->get_description().empty() ? ""
+                                                              : ": " + found->get_description();
+}
+
+/// A sentence about the mistake, without the command's help.
+std::string sentence(const CLI::App& command, const std::string& name,
+                     const CLI::ParseError& error) {
+  const std::string said = error.what(), kind = error.get_name();
+  if (said == "A subcommand is required") return fmt::format("`{}` needs a command", name);
+  if (const auto lacks = split_at(said, " is required"); lacks && kind == "RequiredError")
+    return fmt::format("`{}` needs {}{}", name, lacks->first, meaning_of(command, lacks->first));
+  if (const auto two = split_at(said, " requires "); two && kind == "RequiresError")
+    return fmt::format("{} goes with {}; give both, or neither", two->first, two->second);
+  if (const auto two = split_at(said, " excludes "); two && kind == "ExcludesError")
+    return fmt::format("{} and {} exclude each other; give one", two->first, two->second);
+  // Errors of this kind have the name of the command.
+  if (said.starts_with("The following argument"))
+    return fmt::format("`{}` does not know what to do with {}; it takes no such word", name,
+                       fmt::join(command.remaining(), " "));
+  if (const auto pair = split_at(said, "Could not convert: "); pair && kind == "ConversionError")
+    return pair->second + ": must be a whole number";
+  const auto about = split_at(said, ": ");
+  if (about && kind == "ArgumentMismatch")
+    return fmt::format("{} needs a value{}", about->first, meaning_of(command, about->first));
+  if (about && kind == "ValidationError") return wrong_value(about->first, about->second);
+  return said;
+}
+
 }  // namespace
 
 std::string unknown_command(const CLI::App& app, const std::string& word) {
@@ -64,6 +128,14 @@ std::string unknown_options(const CLI::App& app, const std::vector<std::string>&
   }
   if (!sentences.empty()) sentences += fmt::format("\n`{} --help` lists its options", name);
   return sentences;
+}
+
+std::string wrong_use(const CLI::App& app, const CLI::ParseError& error) {
+  std::string name = "eerie";
+  const CLI::App* command = reached(app, name);
+  const std::string text = sentence(*command, name, error);
+  return fmt::format("{}\n`{} --help` lists its {}", text, name,
+                     command->get_subcommands({}).empty() ? "options" : "commands");
 }
 
 }  // namespace eerie::manual

@@ -15,4 +15,9 @@ std::string unknown_command(const CLI::App& app, const std::string& word);
 /// parser took all.
 std::string unknown_options(const CLI::App& app, const std::vector<std::string>& fields);
 
+/// What to say of anything else that the parser threw at: option, value, what is allowed, and where
+/// the options are listed. For options of the kinds that commands use: ranges, words, whole
+/// numbers.
+std::string wrong_use(const CLI::App& app, const CLI::ParseError& error);
+
 }  // namespace eerie::manual

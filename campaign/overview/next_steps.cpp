@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
+#include "campaign/job_folder/extension.hpp"
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/scene_field.hpp"
 #include "campaign/text/given_file.hpp"
@@ -35,32 +37,61 @@ bool varies(const sweeps::Sweep& sweep, const std::string& path) {
          std::ranges::find(sweep.points.paths, path) != sweep.points.paths.end();
 }
 
-/// What lets impacts go on that had not settled: flight to a meeting at next to no cost, or twice
-/// the time. Nothing where the sweep varies it.
-std::string later_end(const sweeps::Plan& plan, double latest_s) {
-  constexpr double time_of_flight_s = 1e6;
-  if (varies(plan.sweep, "end.time_s") || varies(plan.sweep, "end.settled.horizon_s")) return "";
-  const bool flies = std::ranges::all_of(
-      plan.scenes, [](const Scene& scene) { return scene.numerics.rigid_flight; });
-  if (flies && latest_s < time_of_flight_s)
-    return fmt::format("--set end.time_s={0:.12g} --set end.settled.horizon_s={0:.12g}",
-                       time_of_flight_s);
-  const double most = sweeps::scene_field("end.time_s", "").schema->at("maximum").get<double>();
-  return 2 * latest_s > most ? "" : fmt::format("--set end.time_s={:.12g}", 2 * latest_s);
+bool flies(const sweeps::Plan& plan) {
+  return std::ranges::all_of(plan.scenes,
+                             [](const Scene& scene) { return scene.numerics.rigid_flight; });
 }
 
-/// The sweep once more with a later end.
+/// When impacts that had not settled by then may have: flight to a meeting takes next to no time to
+/// compute, else twice the time. Nothing where that is later than any run may end.
+std::optional<double> later_end(const sweeps::Plan& plan, double latest_s) {
+  constexpr double time_of_flight_s = 1e6;
+  if (flies(plan) && latest_s < time_of_flight_s) return time_of_flight_s;
+  const double most = sweeps::scene_field("end.time_s", "").schema->at("maximum").get<double>();
+  return 2 * latest_s > most ? std::nullopt : std::optional(2 * latest_s);
+}
+
+/// Those that kept a state go on from it, past the latest end of any.
+NextStep extended(const TypedRun& run, const sweeps::Plan& plan,
+                  const std::vector<ResultRow>& unsettled) {
+  double latest_s = 0;
+  for (const Scene& scene : plan.scenes)
+    latest_s = std::max({latest_s, scene.end.time_s, scene.end.latest_s});
+  std::string hashes;
+  for (const ResultRow& row : unsettled) hashes += " " + row.hash.substr(0, 8);
+  const auto until_s = unsettled.empty() ? std::nullopt : later_end(plan, latest_s);
+  if (!until_s) return {};
+  return {unsettled.size() == 1
+              ? "let the one that has not settled go on from where it was"
+              : fmt::format("let the {} that have not settled go on from where they were",
+                            unsettled.size()),
+          fmt::format("eerie extend{} --until {:.12g}{}", hashes, *until_s, in_database(run))};
+}
+
+/// The others need the sweep once more with a later end.
 NextStep longer(const TypedRun& run, const sweeps::Plan& plan,
-                const std::vector<ResultRow>& results) {
-  double latest = 0;
-  std::size_t unsettled = 0;
-  for (const ResultRow& row : results)
-    if (!row.result.settled) ++unsettled, latest = std::max(latest, row.end_time_s);
-  const std::string change = unsettled == 0 ? "" : later_end(plan, latest);
-  if (change.empty()) return {};
+                const std::vector<ResultRow>& unsettled) {
+  double latest_s = 0;
+  for (const ResultRow& row : unsettled) latest_s = std::max(latest_s, row.end_time_s);
+  const bool is_free =
+      !varies(plan.sweep, "end.time_s") && !varies(plan.sweep, "end.settled.horizon_s");
+  const auto until_s = unsettled.empty() || !is_free ? std::nullopt : later_end(plan, latest_s);
+  if (!until_s) return {};
+  std::string change = fmt::format("--set end.time_s={:.12g}", *until_s);
+  if (flies(plan)) change += fmt::format(" --set end.settled.horizon_s={:.12g}", *until_s);
   return {fmt::format("compute all again to a later end, since {} not settled",
-                      unsettled == 1 ? "one has" : fmt::format("{} have", unsettled)),
+                      unsettled.size() == 1 ? "one has" : fmt::format("{} have", unsettled.size())),
           command_of(run, change)};
+}
+
+void add_longer(std::vector<NextStep>& steps, const TypedRun& run, const sweeps::Plan& plan,
+                const std::vector<ResultRow>& results, const job_folder::JobFolder& jobs) {
+  std::vector<ResultRow> can_go_on, others;
+  for (const ResultRow& row : results)
+    if (!row.result.settled)
+      (job_folder::may_be_extended(jobs.of(row.hash)) ? can_go_on : others).push_back(row);
+  steps.push_back(extended(run, plan, can_go_on));
+  steps.push_back(longer(run, plan, others));
 }
 
 /// A value of an axis between its neighbours at half the distance: "[18, 20, 22]".
@@ -158,15 +189,15 @@ std::string command_of(const TypedRun& run, const std::string& more) {
 }
 
 std::vector<NextStep> next_steps(const TypedRun& run, const sweeps::Plan& plan,
-                                 const manager::Tally& tally,
-                                 const std::vector<ResultRow>& results) {
+                                 const manager::Tally& tally, const std::vector<ResultRow>& results,
+                                 const job_folder::JobFolder& jobs) {
   std::vector<NextStep> steps;
   if (tally.paused > 0)
     steps.push_back({"let the paused jobs go on", "eerie resume --all" + in_database(run)});
   if (tally.left > 0) steps.push_back({"go on", command_of(run)});
   if (tally.failed > 0)
     steps.push_back({"try the failed jobs once more", command_of(run, "--retry-failed")});
-  steps.push_back(longer(run, plan, results));
+  add_longer(steps, run, plan, results, jobs);
   if (!results.empty()) {
     add_elongated_or_nearest(steps, run, plan, results);
     add_map_and_facts(steps, run, results);

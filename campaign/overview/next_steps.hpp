@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/job_folder/job_directory.hpp"
 #include "campaign/manager/campaign_run.hpp"
 #include "campaign/sweeps/plan.hpp"
 #include "db/views/query.hpp"
@@ -29,9 +30,11 @@ struct NextStep {
 
 /// Steps after the run of a sweep. Stopped, failed and unsettled impacts come first, then the
 /// elongated remnant or the impact nearest to one, then map, facts, and the next finer fidelity.
+/// `jobs` is the folder in which unsettled impacts may have kept what `extend` goes on from.
 std::vector<NextStep> next_steps(const TypedRun& run, const sweeps::Plan& plan,
                                  const manager::Tally& tally,
-                                 const std::vector<db::ResultRow>& results);
+                                 const std::vector<db::ResultRow>& results,
+                                 const job_folder::JobFolder& jobs);
 
 /// Lines for people, and a list for programs.
 std::string text_of(const std::vector<NextStep>& steps);

@@ -10,6 +10,8 @@
 #include "db/jobs/jobs.hpp"
 #include "db/store/connection.hpp"
 #include "db/store/error.hpp"
+#include "db/store/migrations.hpp"
+#include "db/store/upgrade.hpp"
 
 namespace eerie::serve {
 using nlohmann::json;
@@ -43,22 +45,32 @@ json progress_of(const db::Connection& connection) {
 /// An open database and what was last seen of it.
 class Events::Watch {
  public:
-  explicit Watch(const std::filesystem::path& path) : connection_(path, db::Access::read) {}
+  explicit Watch(const std::filesystem::path& path)
+      : path_(path), file_(path, db::Access::read_any), readable_(opened()) {}
 
   /// Whether somebody has written to the database since the last call.
   bool has_changed() {
     int now = 0;
-    connection_.read([&](SQLite::Database& sql) {
+    file_.read([&](SQLite::Database& sql) {
       // Reads a page, and with it the version: the pragma alone would tell the one known before.
       sql.execAndGet("SELECT count(*) FROM sqlite_master");
       now = sql.execAndGet("PRAGMA data_version").getInt();
     });
-    return std::exchange(version_, now) != now;
+    if (std::exchange(version_, now) == now) return false;
+    // Of an older schema a copy is read, which stays as it was.
+    if (db::schema_of_file(path_) < db::latest_version()) readable_ = opened();
+    return true;
   }
-  const db::Connection& connection() const { return connection_; }
+  const db::Connection& connection() const { return *readable_; }
 
  private:
-  db::Connection connection_;
+  std::unique_ptr<db::Connection> opened() const {
+    return std::make_unique<db::Connection>(path_, db::Access::read);
+  }
+
+  std::filesystem::path path_;
+  db::Connection file_;
+  std::unique_ptr<db::Connection> readable_;
   int version_ = -1;
 };
 

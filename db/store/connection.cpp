@@ -13,6 +13,7 @@
 #include "db/store/error.hpp"
 #include "db/store/file_system.hpp"
 #include "db/store/migrations.hpp"
+#include "db/store/upgrade.hpp"
 #include "db/store/without_log.hpp"
 #include "solver/base/text/shell_word.hpp"
 
@@ -97,6 +98,28 @@ void say_what_is_read(const fs::path& path) {
   static_cast<void>(once);
 }
 
+/// Throws Error where there is nothing to read yet.
+bool is_older(SQLite::Database& database, const fs::path& path) {
+  const int version = schema_version(database);
+  if (version == 0)
+    throw Error(fmt::format("database {}: it is empty; `eerie run SWEEP --db {}` fills it",
+                            path.string(), shell_word(path.string())));
+  return version < latest_version();
+}
+
+void bring_up_to_date(SQLite::Database& database, const fs::path& path) {
+  const int version = schema_version(database);
+  if (version == latest_version()) return;
+  const fs::path kept = version > 0 ? keep_copy(database, path) : fs::path();
+  migrate(database);
+  if (kept.empty()) return;
+  const std::string text = fmt::format(
+      "note: {} had schema {} of an older eerie and has schema {} now; as it was, it is kept as "
+      "{}\n",
+      path.string(), version, latest_version(), kept.string());
+  std::fputs(text.c_str(), stderr);
+}
+
 }  // namespace
 
 Connection::Connection(fs::path path, Access access) : path_(resolved(path)) {
@@ -112,7 +135,8 @@ Connection::Connection(fs::path path, Access access) : path_(resolved(path)) {
       require_ours(*database_, path_.string());
       say_what_is_read(path_);
     }
-    if (access == Access::read) require_current(*database_, path_.string());
+    if (access == Access::read && is_older(*database_, path_))
+      database_ = upgraded_copy(*database_, path_);
   });
   identity_ = identity(path_);
 }
@@ -125,7 +149,7 @@ void Connection::open(Access access) {
   if (access != Access::write) return;
   // synchronous = FULL: a row that was committed outlives a power cut, also in WAL mode.
   database_->exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
-  migrate(*database_);
+  bring_up_to_date(*database_, path_);
 }
 
 Connection::~Connection() = default;

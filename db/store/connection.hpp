@@ -18,14 +18,14 @@ namespace eerie::db {
 class WithoutLog;
 
 enum class Access {
-  read,      ///< the file must exist and have this program's schema
+  read,      ///< the file must exist; of one with an older schema an upgraded copy is read
   read_any,  ///< the file must exist; its schema may be older
-  write,     ///< the file is created where it is missing, and gets this program's schema
+  write,     ///< the file is created, or gets this program's schema; as it was, it is kept
 };
 
-/// An open database. It uses WAL and foreign keys, and waits where SQLite would say "database is
+/// An open database, with WAL and foreign keys. It waits where SQLite would say "database is
 /// locked". Exceptions of SQLite leave as db::Error with the path in front. A database for reading
-/// may lie where nothing can be written (WithoutLog).
+/// may lie where nothing can be written (WithoutLog), or be older than the program (upgrade.hpp).
 class Connection {
  public:
   Connection(std::filesystem::path path, Access access);

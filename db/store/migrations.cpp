@@ -16,7 +16,6 @@
 #include "db/store/schema/schema_4.hpp"
 #include "db/store/schema/schema_5.hpp"
 #include "db/store/schema/schema_6.hpp"
-#include "solver/base/text/shell_word.hpp"
 
 namespace eerie::db {
 namespace {
@@ -65,26 +64,20 @@ void require_ours(SQLite::Database& database, const std::string& path) {
     throw Error(fmt::format(
         "database {}: it is an SQLite database of another program; give another file to --db",
         path));
-  if (const int version = pragma(database, "user_version"); version > latest_version())
+  if (const int version = schema_version(database); version > latest_version())
     throw Error(fmt::format(
         "database {}: its schema has version {} and this program knows versions up to {}; "
         "use a newer eerie",
         path, version, latest_version()));
 }
 
-void require_current(SQLite::Database& database, const std::string& path) {
-  if (const int version = pragma(database, "user_version"); version < latest_version())
-    throw Error(
-        fmt::format("database {}: its schema has version {} and this program reads version {}; "
-                    "`eerie doctor --fix --db {}` brings it up to date",
-                    path, version, latest_version(), shell_word(path)));
-}
+int schema_version(SQLite::Database& database) { return pragma(database, "user_version"); }
 
 void migrate(SQLite::Database& database) {
-  if (pragma(database, "user_version") >= latest_version()) return;
+  if (schema_version(database) >= latest_version()) return;
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   // Read again: another process may have migrated while this one waited for the write lock.
-  const int version = pragma(database, "user_version");
+  const int version = schema_version(database);
   for (const Migration& step : steps) {
     if (step.version <= version) continue;
     database.exec(step.sql);

@@ -22,8 +22,8 @@ int latest_version();
 /// Throws Error for a file of another program and for a schema newer than this program's.
 void require_ours(SQLite::Database& database, const std::string& path);
 
-/// Throws Error where the schema is older than this program's, since readers do not migrate.
-void require_current(SQLite::Database& database, const std::string& path);
+/// The version of a database's schema; 0 where it has none yet.
+int schema_version(SQLite::Database& database);
 
 /// Brings the schema from any version to the newest, in one transaction.
 void migrate(SQLite::Database& database);

@@ -68,6 +68,40 @@ TEST(DaemonOnSlurm, FinishesEveryJobOnceThoughANodeFailsAndItIsKilled) {
   EXPECT_EQ(test::eerie(folder.path(), {"doctor"}).code, 0);
 }
 
+TEST(DaemonOnSlurm, FinishesAnExtendedJobWithTheBitsOfTheLongerOne) {
+  if (const std::string reason = test::RealSlurm::missing(); !reason.empty())
+    GTEST_SKIP() << reason;
+  test::RealSlurm slurm;
+  ASSERT_TRUE(slurm.ready());
+  const test::TemporaryFolder folder;
+  install_text(folder / "cluster.json", json{{"poll_interval_s", 1}}.dump());
+  const auto run_to = [&](double end_s, const char* database) {
+    const json sweep = {
+        {"name", "one"},
+        {"scene", {{"numerics", {{"particles_per_target", 100}}}, {"end", {{"time_s", end_s}}}}},
+        {"grid", {{"numerics.seed", json::array({1})}}}};
+    install_text(folder / "one.json", sweep.dump());
+    const test::Ended ended =
+        test::eerie(folder.path(), {"run", "one.json", "--db", database, "--json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+  };
+  run_to(3000, "early.sqlite");
+  run_to(5000, "late.sqlite");
+  const test::Ended extended = test::eerie(
+      folder.path(), {"extend", "--all", "--until", "5000", "--db", "early.sqlite", "--json"});
+  ASSERT_EQ(extended.code, 0) << extended.err;
+  const std::string hash = json::parse(extended.out).at("extended").at(0).at("as");
+  Program daemon(folder.path(), {"daemon", "--db", "early.sqlite", "--scheduler", "slurm",
+                                 "--profile", "cluster.json", "--until-idle"});
+  EXPECT_EQ(daemon.wait(std::chrono::seconds(200)).code, 0);
+  const auto file = [&](const char* database, const char* name) {
+    return read_file(folder.path() / (std::string(database) + ".jobs") / hash.substr(0, 16) / name);
+  };
+  EXPECT_THAT(file("early.sqlite", "log.txt"), HasSubstr("going on from t = "));
+  for (const char* name : {"final.hdf5", "history.csv"})
+    EXPECT_TRUE(file("early.sqlite", name) == file("late.sqlite", name)) << name << " differs";
+}
+
 TEST(DaemonOnSlurm, SaysWhatIsWrongWithAProfile) {
   const test::TemporaryFolder folder;
   install_text(folder / "cluster.json", R"({"partitoin": "batch"})");

@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "solver/base/file.hpp"
 #include "tests/io/snapshot_fixture.hpp"
@@ -84,6 +85,15 @@ class Extended : public testing::Test {
     return told;
   }
 
+  /// The lines of a log with these words, without their time stamps.
+  static std::vector<std::string> lines_with(const std::string& log, const std::string& words) {
+    std::vector<std::string> found;
+    std::istringstream lines(log);
+    for (std::string line; std::getline(lines, line);)
+      if (line.find(words) != std::string::npos) found.push_back(line.substr(line.find(" info ")));
+    return found;
+  }
+
   test::TemporaryFolder folder;
 };
 
@@ -110,6 +120,26 @@ TEST_F(Extended, AnImpactThatMayWaitForItsRemnantsHasTheBitsOfTheLongerOne) {
   const json grazing = {{"impact", {{"v_imp_cm_per_s", 6.0}, {"theta_imp_deg", 70}}},
                         {"end", {{"latest_s", 3500}}}};
   expect_extended(ending(3000, grazing), ending(4500, grazing), "4500");
+}
+
+/// Bound bodies that have grazed: they fly from each meeting to the next, about 23,000 s apart.
+const json flying = {{"impact", {{"v_imp_cm_per_s", 6.5}, {"theta_imp_deg", 70}}},
+                     {"output", {{"snapshot_interval_s", 30'000}}}};
+
+TEST_F(Extended, AnImpactThatFliesToItsNextMeetingsHasTheBitsOfTheLongerOne) {
+  // Before the next meeting, which would come after the end: it does not set out.
+  const json told = expect_extended(ending(40'000, flying), ending(200'000, flying), "200000");
+  const auto [extended, whole] = directories(told.at("extended").at(0).at("as"));
+  const std::string log = read_file(extended / "log.txt");
+  for (const std::string& line : lines_with(read_file(whole / "log.txt"), "are about to meet"))
+    EXPECT_TRUE(line.find("t = 1002 s") != std::string::npos || log.find(line) != std::string::npos)
+        << line;
+  EXPECT_THAT(log, HasSubstr("are about to meet"));
+}
+
+TEST_F(Extended, AnImpactWhoseEndCameBetweenTwoFlightsHasTheBitsOfTheLongerOne) {
+  const json told = expect_extended(ending(70'000, flying), ending(200'000, flying), "200000");
+  EXPECT_LT(told.at("extended").at(0).at("from_s"), 70'000);
 }
 
 TEST_F(Extended, TwiceIsTheSameAsOnceToTheLastEnd) {
@@ -170,6 +200,28 @@ TEST_F(Extended, WhereItCannotBeIsRefusedWithTheReason) {
   const Ended older = eerie({"extend", "--all", "--until", "4000", "--db", "early.sqlite"});
   EXPECT_EQ(older.code, 2);
   EXPECT_THAT(older.err, HasSubstr("before_end.hdf5 is not there"));
+}
+
+TEST_F(Extended, WithoutAResultIsRefusedWithItsStateAndWhatToType) {
+  run(ending(300), "early.sqlite");
+  const std::string hash = test::job_directories(folder / "early.sqlite").at(0).filename();
+  const auto refused = [&](const char* state, const std::string& reason) {
+    {
+      SQLite::Database sql(folder / "early.sqlite", SQLite::OPEN_READWRITE);
+      sql.exec(std::string("UPDATE jobs SET state = '") + state + "'");
+    }
+    const Ended ended =
+        eerie({"extend", hash.substr(0, 8), "--until", "900", "--db", "early.sqlite"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_THAT(ended.err, HasSubstr("job " + hash + reason));
+  };
+  refused("pending", ": it is pending and has no end yet to go on from; `eerie daemon --db ");
+  refused("running", ": it is running and has no end yet to go on from; extend it once it is done");
+  refused("failed", ": it has failed; `eerie show " + hash.substr(0, 8) + " --db ");
+  refused("cancelled", ": it was cancelled; `eerie retry " + hash.substr(0, 8) + " --db ");
+  const Ended none = eerie({"extend", "0123abcd", "--until", "900", "--db", "early.sqlite"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("no job of"));
 }
 
 }  // namespace

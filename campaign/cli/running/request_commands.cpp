@@ -29,7 +29,7 @@ std::optional<json> ask(const fs::path& database, manager::Request request) {
 }
 
 /// A database that is not there is a slip of the hand: only `submit` makes one.
-void require_database(const fs::path& database) { db::Connection(database, db::Access::read); }
+void require_database(const fs::path& database) { db::Connection(database, db::Access::read_any); }
 
 struct ChangeArguments {
   fs::path database;
@@ -83,11 +83,16 @@ void add_refused(Answer& answer, const json& refused) {
 }
 
 Answer extend(const ChangeArguments& a, double until_s) {
+  if (!(until_s > 0))
+    throw InputError(
+        fmt::format("--until = {:g}: must be a simulated time above 0 s, later than "
+                    "the end of the jobs; for example 60000",
+                    until_s));
   Answer answer;
   const auto told = ask_about_jobs(a, {.kind = "extend", .until_s = until_s}, answer);
   if (!told) return answer;
-  answer.say("{} to {:g} s\n", count_of(told->at("jobs").get<std::size_t>(), "job") + " will go on",
-             until_s);
+  answer.say("{} to {:.12g} s\n",
+             count_of(told->at("jobs").get<std::size_t>(), "job") + " will go on", until_s);
   for (const json& job : told->at("extended"))
     answer.say("  {} goes on as {} from {:.0f} s\n", job.at("job").get<std::string>().substr(0, 16),
                job.at("as").get<std::string>().substr(0, 16), job.at("from_s").get<double>());
@@ -155,7 +160,9 @@ Action add_cancel(CLI::App& app) {
 Action add_extend(CLI::App& app) {
   auto a = add_change(app);
   auto until = std::make_shared<double>(0);
-  app.add_option("--until", *until, "the later end, simulated time, s")->required();
+  app.add_option("--until", *until,
+                 "the later end, simulated time, s; jobs that are not done are refused")
+      ->required();
   return [a, until](Output&) { return extend(*a, *until); };
 }
 

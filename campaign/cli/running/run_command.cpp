@@ -86,7 +86,8 @@ Answer report(const db::Connection& connection, const RunArguments& a, const swe
   add_failures(answer, failures, job_folder::job_folder(connection));
   answer.say("database: {}\n", a.database);
   for (const fs::path& picture : pictures) answer.say("map:      {}\n", picture);
-  const auto steps = overview::next_steps(typed(a), plan, t, results);
+  const auto steps =
+      overview::next_steps(typed(a), plan, t, results, job_folder::job_folder(connection));
   answer.data["next"] = overview::to_json(steps);
   answer.add_text(overview::text_of(steps));
   return answer;

@@ -38,11 +38,13 @@ class Package(unittest.TestCase):
 
     def test_its_version_is_that_of_the_program(self):
         words = small_campaign.program("--version").split()
-        self.assertEqual(self.version(), words[1], "analysis/python/pyproject.toml lags behind")
+        self.assertEqual(
+            self.version(), words[1].replace("-rc", "rc"), "analysis/python/pyproject.toml lags behind"
+        )
 
     def test_the_citation_names_this_version_and_the_paper(self):
         citation = yaml.safe_load((small_campaign.SOURCE / "CITATION.cff").read_text())
-        self.assertEqual(citation["version"], self.version())
+        self.assertEqual(citation["version"].replace("-rc", "rc"), self.version())
         self.assertEqual(citation["type"], "software")
         paper = citation["references"][0]
         self.assertEqual([author["family-names"] for author in paper["authors"]],

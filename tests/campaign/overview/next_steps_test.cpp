@@ -34,7 +34,7 @@ class NextSteps : public testing::Test {
   std::vector<NextStep> steps(const json& sweep, const std::vector<db::ResultRow>& results,
                               const manager::Tally& tally = {}) {
     const sweeps::Plan plan = sweeps::plan(sweep, run.changes.all(), "s.json");
-    return next_steps(run, plan, tally, results);
+    return next_steps(run, plan, tally, results, {folder / "jobs"});
   }
   static auto command(const std::string& text) {
     return Contains(Field(&NextStep::command, HasSubstr(text)));
@@ -57,6 +57,30 @@ TEST_F(NextSteps, RunTheSameFurtherAfterAStopAFailureOrWithoutAnEnd) {
   EXPECT_EQ(found[3].command,
             again + " --set end.time_s=1000000 --set end.settled.horizon_s=1000000");
   EXPECT_THAT(found, Not(command("--fidelity standard")));  // while jobs are left
+}
+
+TEST_F(NextSteps, LetImpactsGoOnThatKeptAStateBeforeTheirEnd) {
+  std::vector<db::ResultRow> two = {row(16, 10, 0.5, false), row(20, 10, 0.5, false)};
+  two[1].hash = "89abcdef01234567";
+  const auto keep = [&](const std::string& hash) {
+    const auto directory = job_folder::JobFolder{folder / "jobs"}.of(hash).path;
+    std::filesystem::create_directories(directory);
+    install_text(directory / "before_end.hdf5", "");
+  };
+  keep(two[0].hash);
+  auto found = steps(grid, two);
+  EXPECT_EQ(found[0].command, "eerie extend 01234567 --until 1000000 --db 'a b.sqlite'");
+  EXPECT_THAT(found[0].purpose, HasSubstr("the one that has not settled"));
+  EXPECT_THAT(found[1].purpose, HasSubstr("since one has not settled"));
+  keep(two[1].hash);
+  found = steps(grid, two);
+  EXPECT_EQ(found[0].command, "eerie extend 01234567 89abcdef --until 1000000 --db 'a b.sqlite'");
+  EXPECT_THAT(found, Not(Contains(Field(&NextStep::purpose, HasSubstr("compute all again")))));
+  // Its end may be an axis: each goes on with its own scene.
+  json ends = grid;
+  run.changes.fidelity.clear();
+  ends["grid"]["end.time_s"] = {1e5, 2e5};
+  EXPECT_THAT(steps(ends, two), command("eerie extend 01234567"));
 }
 
 TEST_F(NextSteps, AskForTwiceTheTimeWhereNothingFlies) {

@@ -98,10 +98,16 @@ TEST(Migrations, RefuseADatabaseNewerThanTheProgram) {
   }
 }
 
-TEST(Migrations, AreLeftToTheWriter) {
+TEST(Migrations, OfAReaderLeaveTheFileAsItIs) {
   const TemporaryFolder folder;
-  make_version(folder / "old.sqlite", 0);
-  EXPECT_THROW(Connection(folder / "old.sqlite", Access::read), Error);
+  for (int version = 1; version < latest_version(); ++version) {
+    const auto path = folder.path() / ("v" + std::to_string(version) + ".sqlite");
+    make_version(path, version);
+    Connection(path, Access::read).read([](SQLite::Database& sql) {
+      EXPECT_EQ(schema_version(sql), latest_version());
+    });
+    EXPECT_EQ(schema_version(*std::make_unique<SQLite::Database>(path)), version);
+  }
 }
 
 TEST(Schema, KeepsTheNamesOfItsViewsForUsers) {
