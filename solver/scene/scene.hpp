@@ -25,13 +25,21 @@ struct Scene {
     double node_deg;  ///< azimuth of its axis about that of the orbit, from the x-axis
   };
 
+  /// The shape of a body before the impact: an ellipsoid whose shortest axis is that of its spin.
+  struct Shape {
+    double b_over_a, c_over_a;  ///< 1: a sphere
+    double turn_deg;  ///< of the longest axis about the shortest; 0: where that one is tilted to
+  };
+
   struct Target {
-    double radius_m;
+    double radius_m;  ///< of the sphere of its volume
     Spin spin;
+    Shape shape;
   } target;
 
   struct Impactor {
     Spin spin;
+    Shape shape;
   } impactor;
 
   struct Impact {
@@ -152,7 +160,8 @@ struct Scene {
 Scene parse_scene(const nlohmann::json& json, const std::string& where = "scene");
 
 /// The scene with every field, in sorted order and with canonical numbers (30 and 30.0 are equal).
-/// numerics.void_density, voids and rigid_flight appear only where they are on. parse_scene() turns
+/// numerics.void_density, voids and rigid_flight appear only where they are on, spin and shape where a
+/// body turns or is no sphere. parse_scene() turns
 /// it back into the same scene.
 nlohmann::json to_json(const Scene& scene);
 
