@@ -236,7 +236,7 @@ void require_usable(const Scene& scene, const std::string& where) {
   require_consistent(scene, where);
   require_orbit(scene, where);
   if (impactor_particles(scene) < 100)
-    throw InputError(fmt::format(
+    throw TooFewParticles(fmt::format(
         "{}.impact.q = {}: the impactor would have {} particles and needs at least 100; "
         "raise numerics.particles_per_target to {} or more, or raise q",
         where, scene.impact.q, impactor_particles(scene),
@@ -343,6 +343,12 @@ std::int64_t impactor_particles(const Scene& s) {
   return std::llround(s.impact.q * static_cast<double>(s.numerics.particles_per_target));
 }
 double contact_distance(const Scene& s) { return s.target.radius_m + impactor_radius(s); }
+double softest_sound_speed(const Scene& s) {
+  constexpr double most_bent = 0.01;
+  const double stiffness = most_bent * s.material.shear_modulus_Pa;
+  const double held = std::sqrt(s.material.drucker_prager.cohesion_Pa / stiffness);
+  return std::min(1.0, std::max(s.numerics.late_sound_speed, held));
+}
 double bulk_sound_speed(const Scene& s) {
   const Scene::Material& m = s.material;
   const double K = m.eos == "tillotson" ? m.tillotson.A_Pa
