@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "solver/scene/body_shape.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie::remnants {
@@ -18,10 +19,12 @@ std::vector<double> initial_depths(const io::Snapshot& first) {
   for (std::size_t body = 0; body < 2; ++body)
     centre[body] = centre[body] / std::max(particles[body], 1.0);
   const std::array<double, 2> radius{first.scene.target.radius_m, impactor_radius(first.scene)};
+  const std::array<BodyShape, 2> shape{target_shape(first.scene), impactor_shape(first.scene)};
   std::vector<double> depth(state.size());
   for (std::size_t i = 0; i < state.size(); ++i) {
     const std::size_t body = state.body[i];
-    depth[state.id[i]] = std::max(0.0, radius[body] - norm(state.x[i] - centre[body]));
+    depth[state.id[i]] =
+        std::max(0.0, radius[body] - norm(shape[body].on_sphere(state.x[i] - centre[body])));
   }
   return depth;
 }

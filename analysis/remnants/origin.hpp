@@ -8,8 +8,8 @@
 namespace eerie::remnants {
 
 /// The depth of each particle of the first snapshot below the surface of its own body, m, by
-/// particle id. Target and impactor count as spheres. Particles above the surface of the sphere
-/// have depth 0.
+/// particle id. For an ellipsoid it is the depth of the same place in the sphere of its volume.
+/// Particles above the surface have depth 0.
 std::vector<double> initial_depths(const io::Snapshot& first);
 
 /// The depths below the surface of its own body, m, from which the matter of a remnant comes.

@@ -70,7 +70,13 @@ std::vector<Rung> ladder(const nlohmann::json& sweep, const std::vector<std::str
     names += fmt::format("{}{}", names.empty() ? "" : ", ", fidelity.name);
     std::vector<std::string> all = sweeps::overrides_of_fidelity(fidelity.name);
     all.insert(all.end(), overrides.begin(), overrides.end());
-    rungs.push_back({fidelity.name, sweeps::parse_sweep(sweep, all, where)});
+    try {
+      Rung rung{fidelity.name, sweeps::parse_sweep(sweep, all, where)};
+      sweeps::expand(rung.sweep);
+      rungs.push_back(std::move(rung));
+    } catch (const TooFewParticles&) {
+      if (fidelity.name == finest) throw;
+    }
     if (fidelity.name == finest) return rungs;
   }
   throw InputError(fmt::format("--finest {}: must be one of {}", finest, names));

@@ -24,8 +24,9 @@ struct Rung {
   sweeps::Sweep sweep;
 };
 
-/// The rungs from "sketch" to `finest`. Each holds the sweep of a file with the settings of the
-/// rung and `overrides`. Throws InputError where no rung is called `finest`.
+/// The rungs from "sketch", or the first whose impactors have particles enough, to `finest`. Each
+/// holds the sweep of a file with the settings of the rung and `overrides`. Throws InputError where
+/// no rung is called `finest`.
 std::vector<Rung> ladder(const nlohmann::json& sweep, const std::vector<std::string>& overrides,
                          const std::string& where, const std::string& finest = "fine");
 

@@ -245,6 +245,14 @@ void add_version(CLI::App& app) {
   app.get_option("--json")->needs(version);
 }
 
+/// The parser would take the next word for the value that "--db=" lacks.
+void require_values(int argc, char** argv) {
+  for (int k = 1; k < argc && std::string_view(argv[k]) != "--"; ++k)
+    if (const std::string_view word = argv[k]; word.starts_with("--") && word.ends_with('='))
+      throw InputError(
+          fmt::format("{}: has no value behind its sign; give one, or leave the option out", word));
+}
+
 int run_command(int argc, char** argv, Output& out) {
   CLI::App app(
       "eerie explores impacts of planetesimals that leave extremely elongated remnants (EERs).",
@@ -256,8 +264,9 @@ int run_command(int argc, char** argv, Output& out) {
       "`eerie help COMMAND` shows its options, and examples.");
   Action chosen;
   add_commands(app, chosen, out);
-  require_finite_numbers(app);
+  require_plain_numbers(app);
   try {
+    require_values(argc, argv);
     require_command(app, argc, argv);
     app.parse(argc, argv);
     const Answer answer = chosen(out);

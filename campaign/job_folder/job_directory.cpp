@@ -48,14 +48,19 @@ void require_usable(const fs::path& root) {
 void require_usable(const JobDirectory& directory) {
   make_folders(directory.path);
   std::error_code problem;
-  for (const fs::path& file :
-       {directory.scene(), directory.worker_lock(), directory.log(), directory.heartbeat(),
-        directory.progress(), directory.result(), directory.failure(), directory.ended(),
-        directory.stop(), directory.history(), directory.remnants()})
-    if (const auto type = fs::status(file, problem).type();
-        type != fs::file_type::not_found && type != fs::file_type::regular)
-      throw EnvironmentError(
-          fmt::format("{} is in the way: it is no file; remove it", file.string()));
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory.path, problem))
+    require_file(entry.path());
+  if (problem)
+    throw EnvironmentError(
+        fmt::format("{} cannot be read: {}", directory.path.string(), problem.message()));
+}
+
+void require_file(const fs::path& path) {
+  std::error_code problem;
+  const auto type = fs::status(path, problem).type();
+  if (type != fs::file_type::not_found && type != fs::file_type::regular)
+    throw EnvironmentError(
+        fmt::format("{} is in the way: it is no file; remove it", path.string()));
 }
 
 void choose_job_folder(db::Connection& connection, const fs::path& root) {

@@ -50,6 +50,10 @@ void require_usable(const std::filesystem::path& root);
 /// Throws EnvironmentError, which names the obstacle.
 void require_usable(const JobDirectory& directory);
 
+/// Throws EnvironmentError where something other than a file, a pipe for instance, has the name of
+/// one: who opens it would wait for ever.
+void require_file(const std::filesystem::path& path);
+
 /// Puts the job directories of a database into `root`, which may be on another file system. It
 /// tries the folder before it stores the choice. Throws InputError where they are elsewhere
 /// already, or where the folder cannot be used.

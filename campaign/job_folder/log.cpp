@@ -36,6 +36,7 @@ std::unique_ptr<spdlog::formatter> log_formatter() {
 }
 
 void open_log(const JobDirectory& directory) {
+  require_file(directory.log());
   try {
     auto log = spdlog::basic_logger_mt("eerie", directory.log().string());
     log->set_formatter(log_formatter());
@@ -46,12 +47,15 @@ void open_log(const JobDirectory& directory) {
   }
 }
 
-void open_campaign_log(const std::filesystem::path& database, bool to_stderr) {
+void open_campaign_log(const std::filesystem::path& database, spdlog::level::level_enum level) {
   constexpr std::size_t bytes = 10'000'000, files = 3;
+  const std::string path = db::resolved(database).string() + ".log";
+  require_file(path);
   try {
-    std::vector<spdlog::sink_ptr> sinks = {std::make_shared<spdlog::sinks::rotating_file_sink_mt>(
-        db::resolved(database).string() + ".log", bytes, files)};
-    if (to_stderr) sinks.push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
+    std::vector<spdlog::sink_ptr> sinks = {
+        std::make_shared<spdlog::sinks::rotating_file_sink_mt>(path, bytes, files)};
+    sinks.push_back(std::make_shared<spdlog::sinks::stderr_sink_mt>());
+    sinks.back()->set_level(level);
     auto log = std::make_shared<spdlog::logger>("manager", sinks.begin(), sinks.end());
     log->set_formatter(log_formatter());
     log->flush_on(spdlog::level::info);

@@ -17,7 +17,7 @@ std::unique_ptr<spdlog::formatter> log_formatter();
 void open_log(const JobDirectory& directory);
 
 /// Sends the messages of a campaign's manager to "<database>.log", three files of 10 MB in turn,
-/// and to standard error where wanted.
-void open_campaign_log(const std::filesystem::path& database, bool to_stderr);
+/// and those of `level` and above to standard error.
+void open_campaign_log(const std::filesystem::path& database, spdlog::level::level_enum level);
 
 }  // namespace eerie::job_folder

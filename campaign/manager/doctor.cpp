@@ -1,6 +1,7 @@
 #include "campaign/manager/doctor.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -72,6 +73,11 @@ class Examination {
                        reader_.path().string(), schema, db::latest_version()),
            "it is read as it is; what writes to it (`run`, `daemon`, `doctor --fix`) changes its "
            "schema and keeps a copy");
+    if (const std::vector<std::string> views = db::changed_views(reader_); !views.empty())
+      find_mendable(fmt::format("database {}: somebody has changed or removed the view{} {}",
+                                reader_.path().string(), views.size() == 1 ? "" : "s",
+                                fmt::join(views, ", ")),
+                    "made anew: views hold no data", [&] { db::remake_views(*writer_); });
     const auto made_by = db::setting(reader_, "solver_version");
     if (made_by && *made_by != solver_version)
       note(fmt::format("this program's solver is version {}, the database was last worked on with "

@@ -19,6 +19,21 @@
 namespace eerie::manager {
 namespace {
 
+constexpr const char* program_of_workers = "/proc/self/exe";
+
+/// No patience helps where workers can never be started.
+void require_program() {
+  struct Need {
+    const char *path, *mount;
+    int way;
+  };
+  for (const Need& need :
+       {Need{program_of_workers, "/proc", X_OK}, Need{"/dev/null", "/dev", R_OK}})
+    if (::access(need.path, need.way) != 0)
+      throw EnvironmentError(fmt::format("workers cannot be started: {}: {}; mount {}", need.path,
+                                         std::strerror(errno), need.mount));
+}
+
 /// posix_spawn's settings for a worker: input empty, output to the log, signals as new, and a
 /// process group of its own so that Ctrl-C reaches the manager alone.
 class SpawnSettings {
@@ -69,7 +84,9 @@ WorkerEnd worker_end(std::int64_t job, int status, const rusage& usage) {
 }  // namespace
 
 LocalProcesses::LocalProcesses(std::size_t workers, int threads_per_job)
-    : workers_(workers), threads_per_job_(threads_per_job) {}
+    : workers_(workers), threads_per_job_(threads_per_job) {
+  require_program();
+}
 
 LocalProcesses::~LocalProcesses() {
   for (const auto& [pid, job] : jobs_) ::kill(pid, SIGKILL);
@@ -90,7 +107,7 @@ std::vector<std::string> LocalProcesses::start(std::span<const Task> tasks) {
 pid_t LocalProcesses::spawn(const job_folder::JobDirectory& directory) const {
   std::string words[] = {"eerie",
                          "worker",
-                         directory.path.string(),
+                         std::filesystem::absolute(directory.path).string(),  // no option
                          "--threads",
                          std::to_string(threads_per_job_),
                          "--parent",
@@ -101,8 +118,9 @@ pid_t LocalProcesses::spawn(const job_folder::JobDirectory& directory) const {
   const SpawnSettings settings(directory.log().string());
   const process::Environment environment = process::environment_for_workers();
   pid_t pid = 0;
-  const int status = ::posix_spawn(&pid, "/proc/self/exe", &settings.actions, &settings.attributes,
-                                   arguments.data(), environment.passed_on.data());
+  const int status =
+      ::posix_spawn(&pid, program_of_workers, &settings.actions, &settings.attributes,
+                    arguments.data(), environment.passed_on.data());
   if (status != 0)
     throw SchedulerUnavailable(fmt::format("cannot start a worker in {}: {}",
                                            directory.path.string(), std::strerror(status)));

@@ -1,6 +1,7 @@
 #include "campaign/overview/advice.hpp"
 
 #include <map>
+#include <optional>
 
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/job.hpp"
@@ -34,12 +35,16 @@ struct Impacts {
     if (!sample.empty()) each = static_cast<double>(count) / static_cast<double>(sample.size());
   }
 
-  /// One run of each.
-  double particle_steps(const json& settings) const {
+  /// Of one run of each; nothing where some impactor has too few particles for these settings.
+  std::optional<double> particle_steps(const json& settings) const {
     double sum = 0;
-    for (json scene : sample) {
-      scene.merge_patch(settings);
-      sum += sweeps::expected_particle_steps(parse_scene(scene));
+    try {
+      for (json scene : sample) {
+        scene.merge_patch(settings);
+        sum += sweeps::expected_particle_steps(parse_scene(scene));
+      }
+    } catch (const TooFewParticles&) {
+      return std::nullopt;
     }
     return each * sum;
   }
@@ -52,8 +57,9 @@ Advice advice(const std::vector<Scene>& scenes, double particle_steps_per_core_s
   Advice advice{impacts.count, {}};
   for (const sweeps::Fidelity& f : sweeps::fidelities) {
     const json settings = sweeps::settings_of(f.name);
-    const double core_hours =
-        impacts.particle_steps(settings) / particle_steps_per_core_second / 3600;
+    const std::optional<double> particle_steps = impacts.particle_steps(settings);
+    if (!particle_steps) continue;
+    const double core_hours = *particle_steps / particle_steps_per_core_second / 3600;
     advice.choices.push_back({f.name, settings.at("numerics").at("particles_per_target"), f.seeds,
                               f.seeds * core_hours, f.error, f.class_agrees});
     if (!f.is_rung) continue;

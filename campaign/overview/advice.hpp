@@ -24,8 +24,8 @@ struct Choice {
 /// Which settings for the impacts of a sweep?
 struct Advice {
   std::size_t impacts = 0;      ///< that differ in more than seed, numerics and end
-  std::vector<Choice> choices;  ///< cheapest first
-  /// Of --fidelity auto: two sketches of each impact, and all runs that it may ask for.
+  std::vector<Choice> choices;  ///< cheapest first; without those of too few particles
+  /// Of --fidelity auto: two runs of each impact on its first rung, and all that it may ask for.
   double auto_least_core_hours = 0, auto_most_core_hours = 0;
 };
 /// `scenes` are those of a sweep, `speed` that of the machine.

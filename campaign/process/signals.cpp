@@ -9,7 +9,7 @@
 namespace eerie::process {
 namespace {
 
-std::atomic<int> requests{0};
+std::atomic<int> requests{0}, seen{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may touch nothing else");
 
 void count_request(int) { ++requests; }
@@ -46,7 +46,8 @@ void catch_stop_signals() {
   handle(SIGPIPE, SIG_IGN);
 }
 
-int stop_requests() { return requests; }
+int stop_requests() { return seen = requests.load(); }
+bool has_unseen_stop_request() { return seen < requests; }
 
 void hold_signals() {
   handle(SIGCHLD, wake);

@@ -11,6 +11,8 @@ void catch_stop_signals();
 
 /// The number of stop requests since then.
 int stop_requests();
+/// Whether there was one since stop_requests() was asked last.
+bool has_unseen_stop_request();
 
 /// Blocks stop signals and SIGCHLD outside of wait_for_signal(), so that none arrives between a
 /// check and the wait that follows it.

@@ -54,6 +54,7 @@ int write_all(int descriptor, std::string_view text) {
 
 void guard_standard_streams() {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // beyond ulimit -f a write fails with EFBIG, which is told
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF) {
       // Opened to read, so that what is printed fails. The lowest free number is this one.

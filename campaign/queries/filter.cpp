@@ -31,17 +31,6 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
-std::optional<double> number_of(const std::string& text) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(text, &used);
-    if (used == text.size() && std::isfinite(value))
-      return sweeps::canonical_number(value).get<double>();
-  } catch (const std::logic_error&) {
-  }
-  return std::nullopt;
-}
-
 [[noreturn]] void refuse_column(const std::string& option, const std::string& column, db::View view,
                                 const std::vector<db::ViewColumn>& known) {
   std::vector<std::string> names;
@@ -62,8 +51,8 @@ bool read_range(const std::string& value, db::Condition& c) {
   const std::size_t colon = value.find(':');
   const std::string low = value.substr(0, colon);
   const std::string high = colon == std::string::npos ? low : value.substr(colon + 1);
-  if (!low.empty() && !(c.lo = number_of(low))) return false;
-  if (!high.empty() && !(c.hi = number_of(high))) return false;
+  if (!low.empty() && !(c.lo = finite_number(low))) return false;
+  if (!high.empty() && !(c.hi = finite_number(high))) return false;
   return c.lo || c.hi;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "campaign/process/signals.hpp"
+#include "campaign/process/stop_guard.hpp"
 #include "db/jobs/jobs.hpp"
 
 namespace eerie::studies {
@@ -16,6 +17,7 @@ manager::Tally run_scenes(const StudyPlan& plan, const std::vector<Scene>& scene
         fmt::format("--budget = {:g}: does not pay for the first run; raise it", plan.core_hours));
   process::catch_stop_signals();
   process::hold_signals();
+  const process::StopGuard guard;
   const db::AddedSweep added = manager::add_when_free(connection, observer, [&] {
     return db::add_sweep(connection, plan.name, plan.document, sweeps::jobs_in_order(scenes));
   });

@@ -9,7 +9,7 @@
 namespace eerie::sweeps {
 
 /// The most jobs of a sweep, and so the most values of an axis.
-inline constexpr std::size_t max_sweep_jobs = 1'000'000;
+inline constexpr std::size_t max_sweep_jobs = 200'000;
 
 /// One axis of a grid: a field of the scene and its values, which are numbers in their canonical
 /// form, or words, or true and false.

@@ -41,7 +41,7 @@ double expected_particle_steps(const Scene& scene) {
   const double dt = scene.numerics.cfl * smoothing_length(scene) / c_l;
   const auto particles =
       static_cast<double>(scene.numerics.particles_per_target + impactor_particles(scene));
-  const bool softens = scene.numerics.late_sound_speed < 1 && scene.numerics.flow_mach > 0;
+  const bool softens = softest_sound_speed(scene) < 1 && scene.numerics.flow_mach > 0;
   return particles *
          std::ceil(expected_end_s(scene) / dt * (softens ? typical_part_with_softening : 1));
 }

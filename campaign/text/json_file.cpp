@@ -65,6 +65,10 @@ class Strict {
 }  // namespace
 
 json parse_json(std::string_view text, const std::string& name) {
+  // The parser would take one for the end of the text.
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
+    throw InputError(
+        fmt::format("{}, {}: not JSON: a NUL byte; remove it", name, position(text, nul + 1)));
   Strict strict(name);
   try {
     return json::parse(text, [&](int depth, json::parse_event_t event, json& parsed) {

@@ -102,7 +102,7 @@ particles::Softening Watch::softening(const io::Snapshot& snapshot, const remnan
                                       double horizon) const {
   const particles::Softening now = snapshot.state.softening;
   if (scene_.numerics.rigid_flight && ending::impact_ahead(found, scene_.end.settled)) return now;
-  const double late = scene_.numerics.late_sound_speed, sound = bulk_sound_speed(scene_);
+  const double late = softest_sound_speed(scene_), sound = bulk_sound_speed(scene_);
   if (ending::liveliness(looks_.rows(), found, horizon, late * sound, scene_.end.settled).empty())
     return {late, true};
   if (scene_.numerics.flow_mach == 0) return now;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "db/store/bind.hpp"
+#include "db/store/migrations.hpp"
 
 namespace eerie::db {
 
@@ -18,6 +19,16 @@ std::vector<std::string> broken_references(const Connection& connection) {
                                  check.getColumn(2).getString()));
   });
   return rows;
+}
+
+std::vector<std::string> changed_views(const Connection& connection) {
+  std::vector<std::string> names;
+  connection.read([&](SQLite::Database& sql) { names = changed_views(sql); });
+  return names;
+}
+
+void remake_views(Connection& connection) {
+  connection.write([](SQLite::Database& sql) { remake_views(sql); });
 }
 
 bool has_open_attempt(const Connection& connection, std::int64_t job) {

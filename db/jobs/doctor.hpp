@@ -15,6 +15,10 @@ namespace eerie::db {
 /// Rows that refer to a missing row.
 std::vector<std::string> broken_references(const Connection& connection);
 
+/// Views that somebody has changed or removed; and those made anew.
+std::vector<std::string> changed_views(const Connection& connection);
+void remake_views(Connection& connection);
+
 bool has_open_attempt(const Connection& connection, std::int64_t job);
 
 /// The numbers of a job's result that distinguish it from another result.

@@ -39,6 +39,10 @@ const char* mend(int code) {
       return "; check that its folder exists and may be written to";
     case SQLITE_CORRUPT:
       return "; the file is damaged: restore a copy, the job folders hold every result";
+    case SQLITE_IOERR:
+      return "; the disk fails, a quota is used up, or files may not be larger (ulimit -f)";
+    case SQLITE_ERROR:
+      return "; `eerie doctor` tells whether somebody has changed its tables or views";
     default:
       return "";
   }

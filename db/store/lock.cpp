@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <climits>
 #include <cstring>
 #include <mutex>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -39,6 +41,23 @@ std::string content(int descriptor) {
                     : std::string("a process that has just started");
 }
 
+void require_short_name(const fs::path& database) {
+  constexpr std::size_t longest = NAME_MAX - 16;  // ".status.json" and others stand behind it
+  if (database.filename().string().size() > longest)
+    throw Error(fmt::format("database {}: its name is longer than {} bytes; choose a shorter one",
+                            database.string(), longest));
+}
+
+/// Refuses what is no database before a lock lies beside it.
+void require_database(int descriptor, const fs::path& path) {
+  constexpr std::string_view header{"SQLite format 3\0", 16};
+  std::array<char, header.size()> begin{};
+  const ssize_t length = ::pread(descriptor, begin.data(), begin.size(), 0);
+  if (length > 0 && std::string_view(begin.data(), static_cast<std::size_t>(length)) != header)
+    throw Error(fmt::format("database {}: it is not an SQLite database: give another file to --db",
+                            path.string()));
+}
+
 /// Database files that this process has opened to lock them. They stay open: closing any
 /// descriptor of a file drops every POSIX lock of this process on it, SQLite's among them.
 class LockedFiles {
@@ -51,6 +70,7 @@ class LockedFiles {
     if (!known || file == files_.end()) {
       files_.push_back(opened(database));
       file = std::prev(files_.end());
+      require_database(file->descriptor, database);
     }
     if (file->held || ::flock(file->descriptor, LOCK_EX | LOCK_NB) != 0) return false;
     file->held = true;
@@ -106,6 +126,7 @@ std::string note_of_this_process() {
 Lock::Lock(const fs::path& named, std::chrono::milliseconds patience) {
   const fs::path database = resolved(named);
   require_local_disk(database);
+  require_short_name(database);
   const auto deadline = std::chrono::steady_clock::now() + patience;
   while (!take(database)) {
     if (std::chrono::steady_clock::now() > deadline)

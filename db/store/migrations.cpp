@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
 
 #include "db/store/bind.hpp"
 #include "db/store/column_meanings.hpp"
@@ -53,6 +54,16 @@ void describe_columns(SQLite::Database& database) {
   }
 }
 
+/// An empty database of the newest schema, in memory.
+SQLite::Database& fresh() {
+  static SQLite::Database database = [] {
+    SQLite::Database made(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    for (const Migration& step : steps) made.exec(step.sql);
+    return made;
+  }();
+  return database;
+}
+
 }  // namespace
 
 std::span<const Migration> migrations() { return steps; }
@@ -64,6 +75,11 @@ void require_ours(SQLite::Database& database, const std::string& path) {
     throw Error(fmt::format(
         "database {}: it is an SQLite database of another program; give another file to --db",
         path));
+  if (const int version = schema_version(database); version < 0)
+    throw Error(
+        fmt::format("database {}: its schema has version {}, which no eerie has written; "
+                    "restore a copy",
+                    path, version));
   if (const int version = schema_version(database); version > latest_version())
     throw Error(fmt::format(
         "database {}: its schema has version {} and this program knows versions up to {}; "
@@ -72,6 +88,33 @@ void require_ours(SQLite::Database& database, const std::string& path) {
 }
 
 int schema_version(SQLite::Database& database) { return pragma(database, "user_version"); }
+
+std::vector<std::string> changed_views(SQLite::Database& database) {
+  const auto views = [](SQLite::Database& sql) {
+    std::map<std::string, std::string> found;
+    SQLite::Statement select(sql, "SELECT name, sql FROM sqlite_master WHERE type = 'view'");
+    while (select.executeStep())
+      found[select.getColumn(0).getString()] = select.getColumn(1).getString();
+    return found;
+  };
+  const std::map<std::string, std::string> wanted = views(fresh()), present = views(database);
+  std::vector<std::string> changed;
+  for (const auto& [name, sql] : wanted)
+    if (const auto there = present.find(name); there == present.end() || there->second != sql)
+      changed.push_back(name);
+  return changed;
+}
+
+void remake_views(SQLite::Database& database) {
+  const std::vector<std::string> changed = changed_views(database);
+  SQLite::Statement select(fresh(),
+                           "SELECT sql FROM sqlite_master WHERE type = 'view' AND name = ?");
+  for (const std::string& view : changed) {
+    database.exec(fmt::format("DROP VIEW IF EXISTS \"{}\"", view));
+    bind_all(select, view);
+    if (select.executeStep()) database.exec(select.getColumn(0).getString());
+  }
+}
 
 void migrate(SQLite::Database& database) {
   if (schema_version(database) >= latest_version()) return;

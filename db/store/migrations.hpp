@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace SQLite {
 class Database;
@@ -24,6 +25,12 @@ void require_ours(SQLite::Database& database, const std::string& path);
 
 /// The version of a database's schema; 0 where it has none yet.
 int schema_version(SQLite::Database& database);
+
+/// Names of the views that are missing or other than those of the newest schema. Views hold no
+/// data.
+std::vector<std::string> changed_views(SQLite::Database& database);
+/// Makes those views anew.
+void remake_views(SQLite::Database& database);
 
 /// Brings the schema from any version to the newest, in one transaction.
 void migrate(SQLite::Database& database);

@@ -10,6 +10,7 @@
 #include "solver/base/sphere.hpp"
 #include "solver/initial/orbit.hpp"
 #include "solver/initial/packing.hpp"
+#include "solver/scene/body_shape.hpp"
 #include "solver/step/solver.hpp"
 
 namespace eerie::initial {
@@ -36,6 +37,14 @@ Vec3 spin_of(const Scene& scene, particles::Body body) {
   return spin(body == particles::Body::target ? scene.target.spin : scene.impactor.spin);
 }
 
+BodyShape shape_of(const Scene& scene, particles::Body body) {
+  return body == particles::Body::target ? target_shape(scene) : impactor_shape(scene);
+}
+
+const char* name_of(particles::Body body) {
+  return body == particles::Body::target ? "target" : "impactor";
+}
+
 /// Adds a rigid rotation about the origin. Without one not even the signs of zeros change.
 void turn(particles::State& s, const Vec3& omega) {
   if (norm2(omega) == 0) return;
@@ -53,16 +62,45 @@ particles::State at_rest(const Scene& scene, particles::Body body, std::size_t n
   particles::resize(s, n);
   s.mass = particle_mass(scene);
   s.h = smoothing_length(scene);
-  s.x = packed_sphere(scene.numerics.packing, n, radius, random, stop);
+  const BodyShape shape = shape_of(scene, body);
+  s.x = packed_body(shape, scene.numerics.packing, n, radius, random, stop);
   const double p_centre = central_pressure({radius, scene.material.rho0_kg_per_m3});
   for (std::size_t i = 0; i < n; ++i) {
     s.id[i] = static_cast<std::uint32_t>(i);
     s.body[i] = static_cast<std::uint8_t>(body);
-    const double p = p_centre * std::max(0.0, 1 - norm2(s.x[i]) / (radius * radius));
+    const double p =
+        p_centre * std::max(0.0, 1 - norm2(shape.on_sphere(s.x[i])) / (radius * radius));
     s.rho[i] = std::visit([p](const auto& eos) { return eos.density_at(p); }, material.eos);
   }
   turn(s, spin_of(scene, body));
   return s;
+}
+
+/// Root mean squares of the places along the axes of the body, which is about the origin.
+Vec3 extent_of(const particles::State& s, const BodyShape& shape) {
+  Vec3 sum;
+  for (const Vec3& x : s.x)
+    for (int k = 0; k < 3; ++k) {
+      const double along = dot(shape.directions()[static_cast<std::size_t>(k)], x);
+      sum[k] += along * along;
+    }
+  for (int k = 0; k < 3; ++k) sum[k] = std::sqrt(sum[k] / static_cast<double>(s.size()));
+  return sum;
+}
+
+/// Throws NumericalError where an ellipsoid has flowed on its way to rest.
+void require_kept(const particles::State& s, const BodyShape& shape, const char* name) {
+  constexpr double most = 0.05;  // of a ratio of axes
+  if (shape.is_sphere()) return;
+  const Vec3 is = extent_of(s, shape), wanted = shape.semi_axes();
+  if (std::abs(is.y / is.x - wanted.y / wanted.x) <= most &&
+      std::abs(is.z / is.x - wanted.z / wanted.x) <= most)
+    return;
+  throw NumericalError(
+      "flowing-body", 0, -1,
+      fmt::format("the {} flows: at rest its b/a is {:.2f} and its c/a {:.2f}, for {:g} and {:g}; "
+                  "give axes nearer to each other, more friction or more particles",
+                  name, is.y / is.x, is.z / is.x, wanted.y / wanted.x, wanted.z / wanted.x));
 }
 
 /// The orders of memory differ from body to body; ids put them back.
@@ -123,8 +161,7 @@ void Settling::cycle() {
         fmt::format("the {} does not come to rest: after {:.0f} s its particles "
                     "still move at {:.2g} m/s; raise numerics.particles_per_target "
                     "or set numerics.h_over_spacing nearer to 1.2",
-                    body_ == particles::Body::target ? "target" : "impactor", time,
-                    rms_speed(solver_.state(), omega_)));
+                    name_of(body_), time, rms_speed(solver_.state(), omega_)));
   solver_.cycle(time + 1e9);
   const double advanced = solver_.state().time - time;
   solver_.damp(std::exp(-advanced / (damping_crossings * crossing_)), omega_);
@@ -135,6 +172,7 @@ particles::State Settling::body() const {
   Vec3 centre;
   for (const Vec3& x : s.x) centre += x;
   for (Vec3& x : s.x) x -= centre / static_cast<double>(s.size());
+  require_kept(s, shape_of(scene_, body_), name_of(body_));
   for (Vec3& v : s.v) v = {};
   turn(s, omega_);
   for (auto* heat : {&s.u, &s.viscous_heat, &s.shear_work})

@@ -24,7 +24,7 @@ class Settling {
   void cycle();
   const step::Solver& solver() const { return solver_; }
   /// The body at the origin at time 0, with the velocities of its rotation and without heat. Its
-  /// ids are 0 to n-1.
+  /// ids are 0 to n-1. Throws NumericalError where an ellipsoid has flowed.
   particles::State body() const;
 
  private:

@@ -96,23 +96,25 @@ class PeriodicGlass {
   std::vector<Vec3> points_, partners_;
 };
 
-/// Of the points of a periodic pattern (period `side`, unit density), the `n` nearest to
-/// `centre`, relative to it.
-std::vector<Vec3> nearest(const std::vector<Vec3>& pattern, double side, const Vec3& centre,
-                          std::size_t n) {
+/// Of the points of a periodic pattern (period `side`, unit density), the `n` innermost of a body
+/// about `centre`, relative to it; level2(d) is the square of a distance in which its surface is a
+/// sphere, and `longest` its longest semi-axis over that one's radius.
+template <class Level2>
+std::vector<Vec3> innermost(const std::vector<Vec3>& pattern, double side, const Vec3& centre,
+                            std::size_t n, double longest, Level2&& level2) {
   const double radius = std::cbrt(3 * static_cast<double>(n) / (4 * pi)) + 2;
-  const int copies = static_cast<int>(std::ceil(radius / side)) + 1;
+  const int copies = static_cast<int>(std::ceil(radius * longest / side)) + 1;
   std::vector<Vec3> found;
   for (int i = -copies; i <= copies; ++i)
     for (int j = -copies; j <= copies; ++j)
       for (int k = -copies; k <= copies; ++k)
         for (const Vec3& p : pattern) {
           const Vec3 d = p + Vec3{i * side, j * side, k * side} - centre;
-          if (norm2(d) < radius * radius) found.push_back(d);
+          if (level2(d) < radius * radius) found.push_back(d);
         }
   // stable_sort: points at equal distance stay in pattern order, so the choice is reproducible.
   std::stable_sort(found.begin(), found.end(),
-                   [](const Vec3& a, const Vec3& b) { return norm2(a) < norm2(b); });
+                   [&](const Vec3& a, const Vec3& b) { return level2(a) < level2(b); });
   found.resize(n);
   return found;
 }
@@ -121,10 +123,15 @@ std::vector<Vec3> nearest(const std::vector<Vec3>& pattern, double side, const V
 
 std::vector<Vec3> packed_sphere(const std::string& packing, std::size_t n, double radius,
                                 Random& random, const std::function<bool()>& stop) {
+  return packed_body({}, packing, n, radius, random, stop);
+}
+
+std::vector<Vec3> packed_body(const BodyShape& shape, const std::string& packing, std::size_t n,
+                              double radius, Random& random, const std::function<bool()>& stop) {
   std::vector<Vec3> pattern;
   double side = 0;
   if (packing == "glass") {
-    // A cube that holds the sphere, but at most 20 spacings wide: larger spheres tile it.
+    // A cube that holds the sphere, but at most 20 spacings wide: larger bodies tile it.
     const int cells =
         std::clamp(static_cast<int>(std::ceil(std::cbrt(2.6 * static_cast<double>(n)))), 8, 20);
     pattern = PeriodicGlass(cells, random, stop).points();
@@ -138,7 +145,10 @@ std::vector<Vec3> packed_sphere(const std::string& packing, std::size_t n, doubl
   }
   const Vec3 centre{random.uniform(0, side), random.uniform(0, side), random.uniform(0, side)};
   const Mat3 turn = random_rotation(random);
-  std::vector<Vec3> points = nearest(pattern, side, centre, n);
+  std::vector<Vec3> points =
+      innermost(pattern, side, centre, n, shape.semi_axes().x, [&](const Vec3& d) {
+        return shape.is_sphere() ? norm2(d) : norm2(shape.on_sphere(turn * d));
+      });
   const double spacing = radius * std::cbrt(4 * pi / (3 * static_cast<double>(n)));
   Vec3 mean;
   for (Vec3& p : points) mean += (p = spacing * (turn * p));

@@ -7,6 +7,7 @@
 
 #include "solver/base/random.hpp"
 #include "solver/base/vec3.hpp"
+#include "solver/scene/body_shape.hpp"
 
 namespace eerie::initial {
 
@@ -22,5 +23,10 @@ struct PackingStopped : std::runtime_error {
 /// times for a glass, and throws PackingStopped where it returns true.
 std::vector<Vec3> packed_sphere(const std::string& packing, std::size_t n, double radius,
                                 Random& random, const std::function<bool()>& stop = {});
+
+/// The same for a body of another shape. `radius` is that of the sphere of its volume.
+std::vector<Vec3> packed_body(const BodyShape& shape, const std::string& packing, std::size_t n,
+                              double radius, Random& random,
+                              const std::function<bool()>& stop = {});
 
 }  // namespace eerie::initial

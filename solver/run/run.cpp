@@ -155,8 +155,7 @@ class Run {
   std::optional<EndReason> reason_to_end() {
     if (is_at_goal()) keep_before_end();  // the last cycle was made to end here
     if (looks_.pass(solver_.state().time) && options_.look) {
-      const bool may_soften =
-          scene_.numerics.late_sound_speed < 1 && !solver_.state().softening.is_calm;
+      const bool may_soften = softest_sound_speed(scene_) < 1 && !solver_.state().softening.is_calm;
       const LookQuestion question{may_soften, next_stop()};
       const io::Snapshot seen = snapshot();
       LookAnswer answer = options_.look(seen, question);

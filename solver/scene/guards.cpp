@@ -61,6 +61,14 @@ const Guard guards[] = {
      [](const Scene& s) { return static_cast<double>(s.numerics.particles_per_target); },
      [](const Scene& s) { return s.numerics.particles_per_target < 1000; },
      "shapes of remnants are a sketch (b/a too large by 0.1 and more); use 5000"},
+    {"material.drucker_prager.cohesion_Pa",
+     [](const Scene& s) { return s.material.drucker_prager.cohesion_Pa; },
+     [](const Scene& s) {
+       return s.material.drucker_prager.cohesion_Pa > 0.01 * s.material.shear_modulus_Pa;
+     },
+     "matter bends by percents before it yields and rebounds like rubber; raise "
+     "material.shear_modulus_Pa, tillotson.A_Pa and B_Pa in proportion to a hundred times the "
+     "cohesion or more"},
     {"impact.v_imp_cm_per_s", [](const Scene& s) { return s.impact.v_imp_cm_per_s; },
      [](const Scene& s) {
        return s.material.eos != "ideal-gas" &&

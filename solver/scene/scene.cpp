@@ -11,6 +11,7 @@
 #include "solver/base/sha256.hpp"
 #include "solver/base/sphere.hpp"
 #include "solver/base/two_bodies.hpp"
+#include "solver/scene/body_shape.hpp"
 #include "solver/scene/scene_schema_text.hpp"
 #include "solver/scene/schemes.hpp"
 #include "solver/scene/validate.hpp"
@@ -36,9 +37,15 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/target/spin/period_h", s.target.spin.period_h);
   visit("/target/spin/tilt_deg", s.target.spin.tilt_deg);
   visit("/target/spin/node_deg", s.target.spin.node_deg);
+  visit("/target/shape/b_over_a", s.target.shape.b_over_a);
+  visit("/target/shape/c_over_a", s.target.shape.c_over_a);
+  visit("/target/shape/turn_deg", s.target.shape.turn_deg);
   visit("/impactor/spin/period_h", s.impactor.spin.period_h);
   visit("/impactor/spin/tilt_deg", s.impactor.spin.tilt_deg);
   visit("/impactor/spin/node_deg", s.impactor.spin.node_deg);
+  visit("/impactor/shape/b_over_a", s.impactor.shape.b_over_a);
+  visit("/impactor/shape/c_over_a", s.impactor.shape.c_over_a);
+  visit("/impactor/shape/turn_deg", s.impactor.shape.turn_deg);
   visit("/impact/q", s.impact.q);
   visit("/impact/v_imp_cm_per_s", s.impact.v_imp_cm_per_s);
   visit("/impact/theta_imp_deg", s.impact.theta_imp_deg);
@@ -122,25 +129,12 @@ void normalise_integers(json& node) {
   }
 }
 
-/// A body of loose rubble that turns faster than friction allows would flow before the impact.
-void require_standing(const Scene& scene, const Scene::Spin& spin, const std::string& field) {
-  const Scene::Material& m = scene.material;
-  const bool is_loose = m.rheology == "fluid" ||
-                        (m.rheology == "drucker-prager" && m.drucker_prager.cohesion_Pa == 0);
-  if (spin.period_h == 0 || !is_loose) return;
-  const double friction = m.rheology == "fluid" ? 0 : friction_coefficient(scene);
-  const double fastest = fastest_spin(m.rho0_kg_per_m3, friction);
-  const double shortest_h = fastest > 0 ? 2 * pi / fastest / 3600 : 0;
-  if (fastest > 0 && spin.period_h >= shortest_h) return;
+void require_shape(const Scene::Shape& shape, const std::string& field) {
+  if (shape.c_over_a <= shape.b_over_a) return;
   throw InputError(
-      fastest > 0
-          ? fmt::format("{}.period_h = {:g}: at a friction angle of {:g} deg a sphere without "
-                        "cohesion stands no shorter period than {:.4g} h; give {:.3g} or more",
-                        field, spin.period_h, m.drucker_prager.phi_d_deg, shortest_h,
-                        1.05 * shortest_h)
-          : fmt::format("{}.period_h = {:g}: a sphere without friction stands no rotation; set it "
-                        "to 0, or material.rheology to \"drucker-prager\"",
-                        field, spin.period_h));
+      fmt::format("{}.c_over_a = {:g}: must be at most b_over_a = {:g}; exchange the two, c is the "
+                  "shortest axis",
+                  field, shape.c_over_a, shape.b_over_a));
 }
 
 /// What no single field's range can say.
@@ -186,8 +180,9 @@ void require_consistent(const Scene& scene, const std::string& where) {
         fmt::format("{}.numerics.rigid_flight = true: what lands in a flight keeps no energy "
                     "budget; set it to false, or material.energy to \"none\"",
                     where));
-  require_standing(scene, scene.target.spin, where + ".target.spin");
-  require_standing(scene, scene.impactor.spin, where + ".impactor.spin");
+  require_shape(scene.target.shape, where + ".target.shape");
+  require_shape(scene.impactor.shape, where + ".impactor.shape");
+  require_standing(scene, where);
   const std::vector<Scene::Wall>& walls = scene.environment.walls;
   for (std::size_t a = 0; a < walls.size(); ++a)
     for (std::size_t b = a + 1; b < walls.size(); ++b) {
@@ -220,6 +215,13 @@ void require_orbit(const Scene& scene, const std::string& where) {
   const Contact contact =
       contact_of({scene.target.radius_m, scene.material.rho0_kg_per_m3}, scene.impact.q,
                  scene.impact.v_imp_cm_per_s / 100, radians(scene.impact.theta_imp_deg));
+  const double longest = scene.target.radius_m * target_shape(scene).semi_axes().x +
+                         impactor_radius(scene) * impactor_shape(scene).semi_axes().x;
+  if (start < longest)
+    throw InputError(fmt::format(
+        "{}.impact.separation = {:g}: ellipsoids of {:.4g} m in all may touch as they start; give "
+        "{:.3g} or more",
+        where, scene.impact.separation, longest, 1.05 * longest / contact_distance(scene)));
   if (radial_speed2(contact, start) >= 0) return;
   throw InputError(fmt::format(
       "{}.impact.v_imp_cm_per_s = {:g}: bodies of {:g} m that touch at {:g} deg were never {:.4g} "
@@ -234,7 +236,7 @@ void require_usable(const Scene& scene, const std::string& where) {
   require_consistent(scene, where);
   require_orbit(scene, where);
   if (impactor_particles(scene) < 100)
-    throw InputError(fmt::format(
+    throw TooFewParticles(fmt::format(
         "{}.impact.q = {}: the impactor would have {} particles and needs at least 100; "
         "raise numerics.particles_per_target to {} or more, or raise q",
         where, scene.impact.q, impactor_particles(scene),
@@ -284,6 +286,13 @@ void leave_out_younger_fields(json& numerics) {
   if (!softens) numerics.erase("flow_mach");
 }
 
+/// A sphere has no axes; tilt and node are those of an ellipsoid, or of a spin.
+void leave_out_of_body(json& body, const BodyShape& shape, const Scene::Spin& spin) {
+  if (!shape.is_sphere()) return;
+  body.erase("shape");
+  if (spin.period_h == 0) body.erase("spin");
+}
+
 }  // namespace
 
 json to_json(const Scene& scene) {
@@ -298,8 +307,9 @@ json to_json(const Scene& scene) {
   visit_fields(scene,
                [&](const char*, const auto& member) { document[pointers[field++]] = member; });
   leave_out_younger_fields(document["numerics"]);
-  if (scene.target.spin.period_h == 0) document["target"].erase("spin");
-  if (scene.impactor.spin.period_h == 0) document.erase("impactor");
+  leave_out_of_body(document["target"], target_shape(scene), scene.target.spin);
+  leave_out_of_body(document["impactor"], impactor_shape(scene), scene.impactor.spin);
+  if (document["impactor"].empty()) document.erase("impactor");
   return document;
 }
 
@@ -333,6 +343,12 @@ std::int64_t impactor_particles(const Scene& s) {
   return std::llround(s.impact.q * static_cast<double>(s.numerics.particles_per_target));
 }
 double contact_distance(const Scene& s) { return s.target.radius_m + impactor_radius(s); }
+double softest_sound_speed(const Scene& s) {
+  constexpr double most_bent = 0.01;
+  const double stiffness = most_bent * s.material.shear_modulus_Pa;
+  const double held = std::sqrt(s.material.drucker_prager.cohesion_Pa / stiffness);
+  return std::min(1.0, std::max(s.numerics.late_sound_speed, held));
+}
 double bulk_sound_speed(const Scene& s) {
   const Scene::Material& m = s.material;
   const double K = m.eos == "tillotson" ? m.tillotson.A_Pa

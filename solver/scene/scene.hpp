@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/base/error.hpp"
 #include "solver/base/vec3.hpp"
 
 namespace eerie {
@@ -25,13 +26,21 @@ struct Scene {
     double node_deg;  ///< azimuth of its axis about that of the orbit, from the x-axis
   };
 
+  /// The shape of a body before the impact: an ellipsoid whose shortest axis is that of its spin.
+  struct Shape {
+    double b_over_a, c_over_a;  ///< 1: a sphere
+    double turn_deg;  ///< of the longest axis about the shortest; 0: where that one is tilted to
+  };
+
   struct Target {
-    double radius_m;
+    double radius_m;  ///< of the sphere of its volume
     Spin spin;
+    Shape shape;
   } target;
 
   struct Impactor {
     Spin spin;
+    Shape shape;
   } impactor;
 
   struct Impact {
@@ -147,13 +156,18 @@ struct Scene {
   } output;
 };
 
+/// An impactor of too few particles: more particles, that is, a finer fidelity, help.
+struct TooFewParticles : InputError {
+  using InputError::InputError;
+};
+
 /// Checks `json` against the schema, fills in defaults and converts. Throws InputError, which names
 /// the path (after `where`), the value, the allowed range and the mend.
 Scene parse_scene(const nlohmann::json& json, const std::string& where = "scene");
 
 /// The scene with every field, in sorted order and with canonical numbers (30 and 30.0 are equal).
-/// numerics.void_density, voids and rigid_flight appear only where they are on. parse_scene() turns
-/// it back into the same scene.
+/// numerics.void_density, voids and rigid_flight appear only where they are on, spin and shape
+/// where a body turns or is no sphere. parse_scene() turns it back into the same scene.
 nlohmann::json to_json(const Scene& scene);
 
 /// A numeric field, named by its JSON pointer ("/impact/q"), and a value that the schema allows.
@@ -187,6 +201,9 @@ double contact_distance(const Scene& scene);
 double friction_coefficient(const Scene& scene);
 /// The angular velocity of a body before the impact, rad/s. The orbit turns about the z-axis.
 Vec3 spin(const Scene::Spin& spin);
+/// The factor on sound speeds of the late phase: numerics.late_sound_speed, but no lower than where
+/// cohesive matter bends by a percent before it yields; 1 where nothing may be softer.
+double softest_sound_speed(const Scene& scene);
 double bulk_sound_speed(const Scene& scene);  ///< sqrt(K/rho0) of the cold material; 0 for a gas
 /// Whether particles carry an internal energy; whether they carry a damage that grows.
 inline bool has_energy(const Scene& scene) { return scene.material.energy == "integrated"; }

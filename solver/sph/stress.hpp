@@ -49,6 +49,14 @@ SymTensorOf<T> moderate(const SymTensorOf<T>& L) {
           small ? L.xy : none, small ? L.xz : none, small ? L.yz : none};
 }
 
+/// Whether a particle hangs on too few neighbours for its gradient: no correction is possible, or
+/// it is large. Stress there would turn bodies, as a force conserves angular momentum only where
+/// the gradient that it is dual to is exact.
+inline bool is_frayed(const SymTensorf& L) {
+  const bool is_uncorrected = L == SymTensorf{1, 1, 1, 0, 0, 0};
+  return is_uncorrected || contract(to_double(L)) >= largest_moderate_norm * largest_moderate_norm;
+}
+
 /// The traceless symmetric part of a velocity gradient, that is, its shear rate.
 template <class T>
 SymTensorOf<T> deviatoric_strain(const Mat3Of<T>& g) {

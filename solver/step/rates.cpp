@@ -60,8 +60,10 @@ void Solver::apply_laws(std::size_t b, double ahead,
           if (is_void(i)) p = std::min(p, 0.0);
           pressure_[i] = p;
           const SymTensor trial = state_.S[i] + ahead * rates_.dS_dt[i];
-          yield_factor_[i] = static_cast<float>(
-              rheology.yield_factor(second_invariant(trial), confining_pressure(i), now));
+          yield_factor_[i] = is_frayed(i)
+                                 ? 0.0F
+                                 : static_cast<float>(rheology.yield_factor(
+                                       second_invariant(trial), confining_pressure(i), now));
           out[i - first] = {rho, point.c};
         }
       },

@@ -89,6 +89,7 @@ Solver::Solver(const Scene& scene, particles::State state, particles::Rates rate
                     ? thinnest_filling * material_.reference_density
                     : 0),
       stressed_surface_(material_.stressed_surface(scene)),
+      frays_(stressed_surface_ && material_.initial_damage() == 1),
       walls_(mirrors(scene.environment)),
       evolving_h_(scene.numerics.smoothing == "evolving"),
       sees_voids_(
@@ -256,8 +257,9 @@ void Solver::kick(double duration) {
         for (std::size_t i = 0; i < state_.size(); ++i) {
           state_.v[i] += duration * (rates_.dv_dt[i] + gravity(i, age));
           state_.rho[i] = particles::changed_density(state_.rho[i], duration * rates_.drho_dt[i]);
-          state_.S[i] = yielded(rheology, state_.S[i] + duration * rates_.dS_dt[i],
-                                confining_pressure(i), condition(i, 0));
+          state_.S[i] = is_frayed(i) ? SymTensor{}
+                                     : yielded(rheology, state_.S[i] + duration * rates_.dS_dt[i],
+                                               confining_pressure(i), condition(i, 0));
           if (!is_finite(state_.v[i]) || !std::isfinite(trace(state_.S[i]) + state_.rho[i]))
             offender = std::min(offender, i);
         }
@@ -296,7 +298,8 @@ void Solver::evaluate_gravity(double elapsed, double planned) {
 /// eigenvalue of L, about two, and with them the frequency of the shortest waves there. Rubble
 /// carries no stress at its surface and needs no shorter steps.
 double Solver::stiffening(std::size_t i) const {
-  if (!stressed_surface_ || gradient_ == Gradient::corrected_rate || gradient_ == Gradient::plain)
+  if (!stressed_surface_ || gradient_ == Gradient::corrected_rate || gradient_ == Gradient::plain ||
+      is_frayed(i))
     return 1;
   return largest_principal(to_double(rates_.correction[i]));
 }

@@ -9,6 +9,7 @@
 #include "solver/particles/state.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/sph/pair_sums.hpp"
+#include "solver/sph/stress.hpp"
 #include "solver/step/integrator.hpp"
 #include "solver/tree/gravity.hpp"
 #include "solver/tree/kd_tree.hpp"
@@ -134,6 +135,8 @@ class Solver {
   bool knows_gravity_rate() const;
   bool is_staggered() const { return std::holds_alternative<Staggered>(integrator_); }
 
+  /// Whether cohesion has ended at a particle: it hangs on too few others.
+  bool is_frayed(std::size_t i) const { return frays_ && sph::is_frayed(rates_.correction[i]); }
   /// The pressure that friction uses, Pa.
   double confining_pressure(std::size_t i) const {
     return fields_.viscous_pressure ? pressure_[i] + rates_.viscous_pressure[i] : pressure_[i];
@@ -169,6 +172,7 @@ class Solver {
   Gradient gradient_;
   double thinnest_;        ///< see filling_density, kg/m^3
   bool stressed_surface_;  ///< whether free surfaces carry stress, by tensile strength or cohesion
+  bool frays_;             ///< whether that is cohesion of rubble, which ends where matter frays
   material::Flaws flaws_;
   std::vector<tree::Mirror> walls_;
   bool evolving_h_;

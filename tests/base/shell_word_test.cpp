@@ -27,6 +27,15 @@ TEST(ShellWord, IsReadByAShellAsItWasMeant) {
     EXPECT_EQ(read_by_shell(shell_word(word)), word) << word;
 }
 
+TEST(ShellWord, IsMadeOfLettersThatEveryTerminalShows) {
+  for (const std::string word :
+       {"a\xff.sqlite", "two\nlines", "\x1b[31mred", "100% \t of '\\'", "\u202etxt.exe"}) {
+    const std::string written = shell_word(word);
+    for (const char c : written) EXPECT_TRUE(c >= ' ' && c <= '~') << written;
+    EXPECT_EQ(read_by_shell(written), word) << written;
+  }
+}
+
 TEST(ShellWord, StaysAsItIsWhereNoShellMinds) {
   for (const std::string word : {"a/b.json", "end.time_s=1e5", "name@2", "0:0.3"})
     EXPECT_EQ(shell_word(word), word);

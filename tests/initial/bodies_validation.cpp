@@ -3,9 +3,11 @@
 #include <cmath>
 
 #include "solver/base/constants.hpp"
+#include "solver/base/ellipsoid.hpp"
 #include "solver/base/sphere.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/initial/orbit.hpp"
+#include "solver/scene/body_shape.hpp"
 #include "solver/step/solver.hpp"
 #include "solver/step/totals.hpp"
 #include "tests/support/scenes.hpp"
@@ -35,6 +37,12 @@ SymTensor moments(const particles::State& s) {
   for (const Vec3& p : s.x)
     m += SymTensor{p.x * p.x, p.y * p.y, p.z * p.z, p.x * p.y, p.x * p.z, p.y * p.z};
   return m * (1 / static_cast<double>(s.size()));
+}
+
+/// The component e S e of a tensor along a unit vector.
+double along(const SymTensor& S, const Vec3& e) {
+  return S.xx * e.x * e.x + S.yy * e.y * e.y + S.zz * e.z * e.z +
+         2 * (S.xy * e.x * e.y + S.xz * e.x * e.z + S.yz * e.y * e.z);
 }
 
 /// A body left alone, averaged from time `from` to `to`: residual waves of 1e-3 of the escape speed
@@ -236,6 +244,60 @@ TEST(Bodies, ThatSpinAddToTheAngularMomentumOfTheOrbitOrTakeFromIt) {
   const double own = 0.4 * mass({radius, rho0}) * radius * radius * 2 * pi / (4 * 3600);
   EXPECT_NEAR((L_z(4, 0) - L_z(0, 0)) / own, 1, 0.03);
   EXPECT_NEAR((L_z(4, 180) - L_z(0, 0)) / own, -1, 0.03);
+}
+
+TEST(Ellipsoids, KeepTheirShapeAtRestAndPressAsTheirOwnGravityAsks) {
+  const Scene scene =
+      small_scene({{"target",
+                    {{"shape", {{"b_over_a", 0.6}, {"c_over_a", 0.5}, {"turn_deg", 30}}},
+                     {"spin", {{"tilt_deg", 40}, {"node_deg", 70}}}}},
+                   {"numerics", {{"particles_per_target", 1000}}}});
+  const BodyShape shape = target_shape(scene);
+  step::Solver solver(scene, make_body(scene, particles::Body::target));
+  const particles::State& s = solver.state();
+  Vec3 extent2, stress;
+  double cycles = 0;
+  for (; s.time < 1000; ++cycles) {
+    solver.cycle(1000);
+    for (std::size_t i = 0; i < s.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const Vec3& e = shape.directions()[static_cast<std::size_t>(k)];
+        extent2[k] += dot(e, s.x[i]) * dot(e, s.x[i]);
+        stress[k] += solver.pressure()[i] - along(s.S[i], e);
+      }
+  }
+  const double all = cycles * static_cast<double>(s.size());
+  const Vec3 &a = shape.semi_axes(), A = attraction_coefficients(a);
+  for (int k = 0; k < 3; ++k) {
+    // Of a homogeneous ellipsoid <x_k^2> = a_k^2/5; particles lie half a spacing below the surface.
+    EXPECT_NEAR(std::sqrt(5 * extent2[k] / all) / (a[k] * radius), 1, 0.03) << k;
+    // The stress averaged over the volume, rho a_k^2/5 2 pi G rho A_k; gravity is smeared over h,
+    // which takes 4 % from a sphere of 1,000 particles and more along a shorter axis.
+    const double theory =
+        rho0 * a[k] * a[k] * radius * radius / 5 * 2 * pi * newton_G * rho0 * A[k];
+    EXPECT_NEAR(stress[k] / all / theory, 0.95, 0.05) << k;
+  }
+}
+
+TEST(Ellipsoids, MeetWithTheAxesThatTheSceneSays) {
+  const auto extents = [](double turn_deg) {
+    const Scene scene = small_scene(
+        {{"impactor", {{"shape", {{"b_over_a", 0.5}, {"c_over_a", 0.5}, {"turn_deg", turn_deg}}}}},
+         {"numerics", {{"packing", "lattice"}}}});
+    const particles::State all = make_unsettled_impact(scene);
+    particles::State impactor;
+    Vec3 centre;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all.body[i] == 1) impactor.x.push_back(all.x[i]), centre += all.x[i];
+    particles::resize(impactor, impactor.x.size());
+    for (Vec3& x : impactor.x) x -= centre / static_cast<double>(impactor.size());
+    const SymTensor m = moments(impactor);
+    return Vec3{std::sqrt(5 * m.xx), std::sqrt(5 * m.yy), std::sqrt(5 * m.zz)} / radius;
+  };
+  // 4^(1/3) times the radius of the sphere along the longest axis; 300 particles.
+  EXPECT_NEAR(extents(0).x, std::cbrt(4.0), 0.05);
+  EXPECT_NEAR(extents(0).y, std::cbrt(0.5), 0.05);
+  EXPECT_NEAR(extents(90).y, std::cbrt(4.0), 0.05);
 }
 
 }  // namespace

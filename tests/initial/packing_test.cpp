@@ -57,6 +57,28 @@ TEST_P(Packing, FillsTheSphereEvenly) {
   EXPECT_NEAR(outermost, radius, 0.5 * spacing(n));
 }
 
+TEST_P(Packing, FillsAnEllipsoidEvenlyAndNoFurther) {
+  const std::size_t n = 3000;
+  const BodyShape shape({0.5, 0.3, 25}, {0, 60, 40});
+  Random random(1, 0);
+  const std::vector<Vec3> x = packed_body(shape, GetParam(), n, radius, random);
+  ASSERT_EQ(x.size(), n);
+  for (const double part : {0.5, 0.7, 0.85}) {
+    double inside = 0;
+    for (const Vec3& p : x) inside += norm(shape.on_sphere(p)) < part * radius;
+    EXPECT_NEAR(inside / (static_cast<double>(n) * cubed(part)), 1, 0.07) << part;
+  }
+  EXPECT_GT(nearest_distance(x),
+            GetParam() == std::string("lattice") ? 1.1 * spacing(n) : 0.6 * spacing(n));
+  for (int k = 0; k < 3; ++k) {
+    double furthest = 0;
+    for (const Vec3& p : x)
+      furthest =
+          std::max(furthest, std::abs(dot(p, shape.directions()[static_cast<std::size_t>(k)])));
+    EXPECT_NEAR(furthest, shape.semi_axes()[k] * radius, spacing(n)) << k;
+  }
+}
+
 TEST_P(Packing, SidesAreEquallyFull) {
   const std::size_t n = 3000;
   SymTensor moment;

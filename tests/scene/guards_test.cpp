@@ -51,6 +51,9 @@ TEST(Guards, EachLineIsNamedWithFieldValueAndMend) {
       {{{"numerics", {{"list_skin", 0.6}}}}, "list_skin = 0.6", "use 0.1"},
       {{{"numerics", {{"particles_per_target", 300}}}}, "particles_per_target = 300", "use 5000"},
       {{{"numerics", {{"gradient", "plain"}}}}, "gradient = \"plain\"", "\"corrected\""},
+      {{{"material", {{"drucker_prager", {{"cohesion_Pa", 1000}}}}}},
+       "cohesion_Pa = 1000",
+       "shear_modulus_Pa"},
       {{{"impact", {{"v_imp_cm_per_s", 100}}}}, "v_imp_cm_per_s = 100", "raise the elastic moduli"},
   };
   for (const Case& c : cases)

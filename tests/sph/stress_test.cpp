@@ -118,6 +118,14 @@ TEST(CorrectionMatrix, FallsBackToTheIdentityForAPlaneALineOrNobody) {
     for (const SymTensor& C : gradients(x, x).C) EXPECT_EQ(correction_matrix(C), one) << x.size();
 }
 
+TEST(CorrectionMatrix, ShowsWhereMatterIsFrayed) {
+  EXPECT_TRUE(is_frayed(to_single(correction_matrix(SymTensor{}))));  // no neighbours
+  EXPECT_TRUE(is_frayed(to_single(correction_matrix(SymTensor{1, 1, 1e-3, 0, 0, 0}))));  // a sheet
+  EXPECT_TRUE(is_frayed(SymTensorf{1, 1, 8, 0, 0, 0}));
+  EXPECT_FALSE(is_frayed(SymTensorf{1.001F, 0.999F, 1, 0, 0, 0}));  // inside a body
+  EXPECT_FALSE(is_frayed(SymTensorf{1, 1, 2, 0, 0, 0}));            // on a flat surface
+}
+
 TEST(CorrectionMatrix, StaysBoundedThroughoutAThinSheet) {
   // From a plane to a thick slab: L never grows beyond what the smallest determinant allows.
   for (double thickness = 0; thickness < 1.5; thickness += 0.05) {

@@ -2,15 +2,38 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "campaign/queries/numbers.hpp"
 #include "campaign/sweeps/fidelity.hpp"
 #include "solver/base/error.hpp"
 
 namespace eerie::cli {
-void require_finite_numbers(CLI::App& app) {
-  for (CLI::App* command : app.get_subcommands({})) require_finite_numbers(*command);
+namespace {
+
+/// The parser would take "010" for 8 and "0x10" for 16.
+std::string whole_number(const std::string& text, const std::string& name) {
+  const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+  if (text.size() == sign || text.find_first_not_of("0123456789", sign) != std::string::npos)
+    throw InputError(fmt::format("{} = {}: must be a whole number; for example 3", name, text));
+  const std::size_t first = std::min(text.find_first_not_of('0', sign), text.size() - 1);
+  return (text.starts_with('-') ? "-" : "") + text.substr(first);
+}
+
+}  // namespace
+
+void require_plain_numbers(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands({})) require_plain_numbers(*command);
   for (CLI::Option* option : app.get_options())
-    if (option->get_type_name().starts_with("FLOAT"))
+    if (const std::string type = option->get_type_name();
+        type.starts_with("INT") || type.starts_with("UINT"))
+      option->transform(CLI::Validator(
+          [name = option->get_name()](std::string& text) -> std::string {
+            text = whole_number(text, name);
+            return "";
+          },
+          ""));
+    else if (type.starts_with("FLOAT"))
       option->transform(CLI::Validator(
           [name = option->get_name()](std::string& text) -> std::string {
             const std::optional<double> value = queries::finite_number(text);

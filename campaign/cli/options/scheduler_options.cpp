@@ -68,7 +68,7 @@ manager::ManagerOptions manager_options(const SchedulerArguments& a) {
 
 manager::Workplace workplace(const SchedulerArguments& a, const manager::Share& share) {
   return {[a](const db::Connection& connection, const manager::Split& split) {
-            job_folder::open_campaign_log(connection.path(), false);
+            job_folder::open_campaign_log(connection.path(), spdlog::level::off);
             return make_scheduler(a, connection, split.jobs, split.threads);
           },
           a.is_local(), share, manager_options(a)};

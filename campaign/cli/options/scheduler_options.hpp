@@ -8,6 +8,7 @@
 #include "campaign/manager/campaign_run.hpp"
 #include "campaign/manager/manager.hpp"
 #include "campaign/manager/scheduler.hpp"
+#include "campaign/process/stop_guard.hpp"
 #include "db/store/lock.hpp"
 
 namespace eerie::cli {
@@ -31,6 +32,7 @@ void require_consistent(const SchedulerArguments& arguments);
 struct HeldDatabase {
   HeldDatabase(const std::filesystem::path& database, const SchedulerArguments& scheduler);
 
+  process::StopGuard guard;
   db::Lock lock;
   db::Connection connection;
 };

@@ -34,7 +34,8 @@ Answer daemon(const DaemonArguments& a, Output& out) {
   if (!manager::wait_for_room(std::filesystem::absolute(a.database).parent_path(), least, complain))
     return {};
   HeldDatabase held(a.database, a.scheduler);
-  job_folder::open_campaign_log(a.database, true);
+  job_folder::open_campaign_log(
+      a.database, out.format == Format::nothing ? spdlog::level::warn : spdlog::level::info);
 
   const auto threads = static_cast<std::size_t>(a.threads_per_job);
   const std::size_t workers = a.workers > 0

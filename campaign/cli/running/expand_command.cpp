@@ -34,7 +34,8 @@ void say_advice(Answer& answer, const overview::Advice& advice) {
              advice.impacts, advice.impacts == 1 ? "" : "s");
   answer.add(std::move(table));
   answer.say(
-      "auto: {:.3g} core-hours for two sketches of each; finer runs and more seeds where in doubt, "
+      "auto: {:.3g} core-hours for two coarse runs of each; finer runs and more seeds where in "
+      "doubt, "
       "{:.3g} at most\n",
       advice.auto_least_core_hours, advice.auto_most_core_hours);
   if (const auto best = overview::finest_within(advice, night_h, cores))
@@ -46,14 +47,21 @@ void say_advice(Answer& answer, const overview::Advice& advice) {
                cores == 1 ? "" : "s");
 }
 
-/// `auto` begins with sketches.
-SceneChanges first_of(SceneChanges changes) {
-  if (changes.fidelity == "auto") changes.fidelity = sweeps::fidelities[0].name;
-  return changes;
+/// `auto` begins with sketches, or with the first rung whose impactors have particles enough.
+sweeps::Plan first_plan(const fs::path& sweep, SceneChanges changes) {
+  if (changes.fidelity != "auto") return sweeps::load_plan(sweep, changes);
+  for (std::string_view rung = sweeps::fidelities[0].name;; rung = sweeps::rung_above(rung)) {
+    changes.fidelity = rung;
+    try {
+      return sweeps::load_plan(sweep, changes);
+    } catch (const TooFewParticles&) {
+      if (sweeps::rung_above(rung).empty()) throw;
+    }
+  }
 }
 
 Answer expand(const ExpandArguments& a) {
-  const sweeps::Plan plan = sweeps::load_plan(a.sweep, first_of(a.changes));
+  const sweeps::Plan plan = first_plan(a.sweep, a.changes);
   const std::vector<db::NewJob>& jobs = plan.jobs;
   std::vector<std::string> warned = plan.replaced;
   std::ranges::move(sweeps::cautions(plan.scenes), std::back_inserter(warned));

@@ -29,6 +29,16 @@ AutoFidelity new_campaign(AutoOptions options = {}, const json& sweep = grid,
 }
 constexpr std::size_t sketch = 0, survey = 1;
 
+TEST(Ladder, BeginsWhereEveryImpactorHasParticlesEnough) {
+  json sweep = grid;
+  sweep["grid"]["q"] = {1, 0.1};  // sketches would give it 40, surveys 100
+  const std::vector<Rung> rungs = ladder(sweep, {}, "ridge.json", "standard");
+  ASSERT_EQ(rungs.size(), 2u);
+  EXPECT_EQ(rungs.front().name, "survey");
+  EXPECT_THAT([&] { ladder(sweep, {}, "ridge.json", "sketch"); },
+              ThrowsMessage<InputError>(HasSubstr("would have 40 particles")));
+}
+
 /// What a solver would say: b/a falls with speed; at 20 cm/s it is close to 0.3, and at 22 cm/s
 /// every other seed splits.
 db::Result outcome_of(const Scene& s) {

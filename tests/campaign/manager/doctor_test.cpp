@@ -63,6 +63,18 @@ TEST_F(Doctor, FindsNothingInAHealthyCampaign) {
   EXPECT_TRUE(examined().empty());
 }
 
+TEST_F(Doctor, MakesViewsAnewThatSomebodyHasChangedOrRemoved) {
+  finish_first();
+  connection.write([](SQLite::Database& sql) {
+    sql.exec("DROP VIEW results; CREATE VIEW results AS SELECT 1 AS x; DROP VIEW maps");
+  });
+  ASSERT_EQ(examined().size(), 1u);
+  EXPECT_THAT(examined()[0].what, HasSubstr("changed or removed the views maps, results"));
+  EXPECT_EQ(mended().size(), 1u);
+  EXPECT_TRUE(examined().empty());
+  EXPECT_EQ(db::results(connection, {}).size(), 1u);
+}
+
 TEST_F(Doctor, TakesAResultThatTheDatabaseDoesNotKnow) {
   test::install_result(directory(0), scenes[0]);
   ASSERT_EQ(examined().size(), 1u);

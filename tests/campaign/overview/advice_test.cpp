@@ -31,6 +31,15 @@ TEST(Advice, CostsWhatTheRunsOfASweepOfThatFidelityCost) {
   }
 }
 
+TEST(Advice, LeavesOutWhatHasTooFewParticlesForASmallImpactor) {
+  json grid = speeds;
+  grid["q"] = {1, 0.1};  // sketches would give it 40
+  const Advice found = advice(scenes(grid), 1e6);
+  ASSERT_EQ(found.choices.size(), std::size(sweeps::fidelities) - 1);
+  EXPECT_EQ(found.choices.front().fidelity, "survey");
+  EXPECT_GT(found.auto_least_core_hours, 0);
+}
+
 TEST(Advice, CountsImpactsAndNotTheirSeedsOrParticles) {
   json grid = speeds;
   grid["numerics.seed"] = {1, 2, 3, 4};

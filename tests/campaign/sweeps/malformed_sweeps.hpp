@@ -191,9 +191,9 @@ inline const std::vector<MalformedSweep>& malformed_sweeps() {
        "nearest that fit are 36 and 39"},
       {"RangeJustOff", with_v(R"({"from": 1, "to": 1.95, "step": 0.1})"), "1.9 and 2"},
       {"RangeStepTooSmall", with_v(R"({"from": 12, "to": 36, "step": 1e-9})"),
-       "more than 1000000 values"},
+       "more than 200000 values"},
       {"RangeStepTiny", with_v(R"({"from": 12, "to": 36, "step": 1e-300})"),
-       "more than 1000000 values"},
+       "more than 200000 values"},
       // points
       {"PointsNull", with_points("null"), "must be an array"},
       {"PointsEmpty", with_points("[]"), "\"grid\" is missing"},
@@ -214,7 +214,7 @@ inline const std::vector<MalformedSweep>& malformed_sweeps() {
       {"TooManyJobs",
        with_grid(
            R"({"v_imp_cm_per_s": {"from": 1, "to": 1000, "step": 1}, "numerics.seed": {"from": 0, "to": 1000, "step": 1}})"),
-       "1001000 jobs are more than the 1000000"},
+       "1001000 jobs are more than the 200000"},
   };
   return cases;
 }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "solver/base/error.hpp"
+
 namespace eerie::text {
 namespace {
 using nlohmann::json;
@@ -15,6 +17,12 @@ T whole(const char* text) {
   T number{};
   read_whole(json::parse(text), number);
   return number;
+}
+
+TEST(ParseJson, RefusesANulByteWhereverItIs) {
+  using namespace std::string_view_literals;
+  for (const std::string_view text : {"{}\0"sv, "{}\0{\"a\": 1}"sv, "\0{}"sv})
+    EXPECT_THROW(parse_json(text, "a.json"), InputError);
 }
 
 TEST(WholeNumber, IsReadAsItStandsWhateverItsSpelling) {

@@ -10,11 +10,15 @@
 #include "db/store/connection.hpp"
 #include "db/store/error.hpp"
 #include "db/store/file_system.hpp"
+#include "solver/base/file.hpp"
 #include "tests/io/snapshot_fixture.hpp"
 
 namespace eerie::db {
 namespace {
+namespace fs = std::filesystem;
 using test::TemporaryFolder;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 TEST(Lock, TellsASecondComerWhoHoldsIt) {
   const TemporaryFolder folder;
@@ -28,6 +32,16 @@ TEST(Lock, TellsASecondComerWhoHoldsIt) {
   }
   EXPECT_THAT(lock_holder(folder / "a.sqlite").value_or(""),
               testing::HasSubstr(std::to_string(::getpid())));
+}
+
+TEST(Lock, IsRefusedForWhatIsNoDatabaseAndLeavesNothingBeside) {
+  const test::TemporaryFolder folder;
+  install_text(folder / "s.json", "{}");
+  EXPECT_THAT([&] { Lock(folder / "s.json"); },
+              ThrowsMessage<Error>(HasSubstr("it is not an SQLite database")));
+  EXPECT_THAT([&] { Lock(folder.path() / std::string(250, 'n')); },
+              ThrowsMessage<Error>(HasSubstr("choose a shorter one")));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
 
 TEST(Lock, IsFreeAgainWhenItsHolderIsGone) {
