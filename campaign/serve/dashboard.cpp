@@ -102,6 +102,8 @@ class Dashboard::Running {
     });
     server_.Post("/api/requests", [this](const auto& request, auto& response) {
       try {
+        require_known(request.params, "");
+        events_.require_shown();
         send(response, act(database_, request.body));
       } catch (const InputError& error) {
         send(response, refusal(400, error.what()));
