@@ -1,5 +1,6 @@
 #include "campaign/serve/site.hpp"
 
+#include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -262,6 +263,19 @@ TEST_F(SiteOfAFileThatGoes, SaysThatItIsGoneUntilItIsBack) {
   EXPECT_TRUE(shows(2));
   EXPECT_TRUE(
       test::eventually([&] { return events->latest().find("problem") == std::string::npos; }));
+}
+
+TEST_F(SiteOfAFileThatGoes, SaysWhyAFileOfAnotherVersionIsNotShown) {
+  serve(database);
+  EXPECT_TRUE(shows(2));
+  db::Connection connection(database, db::Access::write);
+  for (const char* version : {"-1", "99999"}) {
+    connection.write([&](auto& sql) { sql.exec(std::string("PRAGMA user_version = ") + version); });
+    const std::string reason = std::string("its schema has version ") + version;
+    EXPECT_TRUE(test::eventually([&] { return campaign().body.find(reason) != std::string::npos; }))
+        << campaign().body;
+    EXPECT_EQ(campaign().status, 503);
+  }
 }
 
 TEST_F(SiteOfAFileThatGoes, TakesNoActionOnAFileThatNobodyHasSeen) {
