@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "analysis/disk/encounter_speed.hpp"
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/base/sphere.hpp"
 
 namespace eerie::disk {
 

@@ -8,8 +8,8 @@
 #include "analysis/disk/encounter_speed.hpp"
 #include "analysis/disk/friction.hpp"
 #include "analysis/disk/roche.hpp"
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/base/sphere.hpp"
 
 namespace eerie::disk {
 

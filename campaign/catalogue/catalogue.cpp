@@ -9,9 +9,9 @@
 
 #include "campaign/catalogue/quantities.hpp"
 #include "campaign/text/csv_table.hpp"
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/sphere.hpp"
 
 namespace eerie::catalogue {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "campaign/serve/reply.hpp"
@@ -13,6 +14,10 @@ struct AccessRules {
   std::string token;       ///< required for actions; empty where there are no actions
   std::string listens_on;  ///< an address in addition to loopback; empty: none
 };
+
+/// Name and value of the headers that every answer carries, whatever was asked: they tell browsers
+/// to run no script but the page's own and to show it to no other page.
+std::vector<std::pair<std::string, std::string>> guard_headers();
 
 /// The origin of a request, as its headers say.
 struct Caller {

@@ -77,6 +77,8 @@ std::optional<std::string> answer_in(const fs::path& database, const std::string
 
 Reply act(const fs::path& database, const std::string& body) {
   const manager::Request request = request_of(body);
+  // Without its database a request would wait for whichever comes to lie there.
+  static_cast<void>(db::Connection(database, db::Access::read));
   manager::Inbox(database).put(request);
   if (!db::lock_holder(database))
     return json_reply({{"waits",

@@ -12,7 +12,7 @@ namespace eerie::serve {
 /// campaign/manager/request.hpp, with "priority" or "sweep" (a sweep as JSON text) where the kind
 /// takes them. The reply is the answer, or 202 where it is still to come because the manager is
 /// busy or nobody works on the database. Throws InputError for a request that no manager would
-/// take.
+/// take, and db::Error where the database cannot be read.
 Reply act(const std::filesystem::path& database, const std::string& body);
 
 }  // namespace eerie::serve

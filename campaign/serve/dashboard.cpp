@@ -30,21 +30,11 @@ Caller caller_of(const httplib::Request& request) {
   return c;
 }
 
-void guard(httplib::Response& response) {
-  response.set_header("Content-Security-Policy",
-                      "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' "
-                      "data:; connect-src 'self'; base-uri 'none'; form-action 'none'; "
-                      "frame-ancestors 'none'");
-  response.set_header("X-Content-Type-Options", "nosniff");
-  response.set_header("Referrer-Policy", "no-referrer");
-  response.set_header("Cross-Origin-Resource-Policy", "same-origin");
-  response.set_header("Cross-Origin-Opener-Policy", "same-origin");
-}
-
 void send(httplib::Response& response, const Reply& reply) {
   response.status = reply.status;
   response.set_header("Cache-Control", reply.etag.empty() ? "no-store" : "no-cache");
   if (!reply.etag.empty()) response.set_header("ETag", reply.etag);
+  if (reply.retry_s > 0) response.set_header("Retry-After", std::to_string(reply.retry_s));
   if (!reply.file_name.empty())
     response.set_header("Content-Disposition",
                         fmt::format("attachment; filename=\"{}\"", reply.file_name));
@@ -54,7 +44,7 @@ void send(httplib::Response& response, const Reply& reply) {
 void stream(httplib::Response& response, Events& events) {
   auto listener = events.listen();
   if (!listener)
-    return send(response, refusal(503, "too many pages listen already; this one asks again"));
+    return send(response, busy("too many pages listen already: ask for /api/news now and then"));
   response.set_header("Cache-Control", "no-store");
   response.set_chunked_content_provider("text/event-stream",
                                         [listener](std::size_t, httplib::DataSink& sink) {
@@ -96,12 +86,13 @@ class Dashboard::Running {
   /// All that reads is answered before any body is: no method but POST has one here.
   void route() {
     server_.set_pre_routing_handler([this](const auto& request, auto& response) {
-      guard(response);
       return read(request, response) ? httplib::Server::HandlerResponse::Handled
                                      : httplib::Server::HandlerResponse::Unhandled;
     });
     server_.Post("/api/requests", [this](const auto& request, auto& response) {
       try {
+        require_known(request.params, "");
+        events_.require_shown();
         send(response, act(database_, request.body));
       } catch (const InputError& error) {
         send(response, refusal(400, error.what()));
@@ -127,7 +118,11 @@ class Dashboard::Running {
     } else if (action) {
       return false;
     } else if (request.path == "/api/events") {
-      stream(response, events_);
+      if (request.params.empty())
+        stream(response, events_);
+      else
+        send(response, refusal(400, fmt::format("parameter {}: this address takes none",
+                                                request.params.begin()->first)));
     } else {
       answer(request, response);
     }

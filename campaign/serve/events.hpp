@@ -11,11 +11,14 @@
 #include <string>
 #include <thread>
 
+#include "db/store/place.hpp"
+
 namespace eerie::serve {
 
 /// Sends the changes of a campaign to all listeners. One thread looks for them, whatever the number
-/// of listeners: at the version of the database twice a second, at the status of the manager, and
-/// at the progress of running jobs while somebody listens.
+/// of listeners: twice a second at the file under the name of the database, which may have been
+/// written, replaced or removed, at the status of the manager, and at the progress of running jobs
+/// while somebody listens.
 class Events {
  public:
   explicit Events(std::filesystem::path database);
@@ -52,6 +55,14 @@ class Events {
   /// A new listener; null where there are too many.
   std::shared_ptr<Listener> listen();
 
+  /// The latest news for those who ask instead of listening: {"again_s", "database", "work",
+  /// "progress"}, null where there is none yet. `again_s`: when to ask again.
+  std::string latest() const;
+
+  /// Throws GoneError where the file under the name of the database is not the one that the news
+  /// are of: what somebody wants of it was not meant for the new one.
+  void require_shown() const;
+
   /// Ends the events and wakes all listeners.
   void end();
 
@@ -64,6 +75,8 @@ class Events {
   class Watch;
 
   void look_again_and_again();
+  void look(Watch& watch);
+  void tell_of_problem(const std::string& problem);
   void tell(Kind kind, std::string text);
   std::string news_since(Listener& listener) const;
 
@@ -73,6 +86,7 @@ class Events {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::array<News, 3> news_;
+  std::optional<db::FileIdentity> shown_;
   int listeners_ = 0;
   bool over_ = false;
   std::thread thread_;

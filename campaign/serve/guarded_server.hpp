@@ -5,12 +5,16 @@
 #include <atomic>
 #include <string>
 
+#include "campaign/serve/lobby.hpp"
+
 namespace eerie::serve {
 
-/// The server of httplib on sockets with limits (socket_stream.hpp), which binds its own ports.
+/// The server of httplib, which sees a request only once its head is whole and well-formed
+/// (lobby.hpp), on sockets with limits (socket_stream.hpp). It binds its own ports.
 class GuardedServer : public httplib::Server {
  public:
   GuardedServer();
+  ~GuardedServer() override;
 
   /// Binds to an address. Port 0 means any free port. Returns the port. Throws EnvironmentError,
   /// which names address, port and mend.
@@ -21,8 +25,13 @@ class GuardedServer : public httplib::Server {
 
  private:
   bool process_and_close_socket(socket_t socket) override;
+  bool serve(Visitor& visitor);
+  void answer(Visitor visitor);
 
   std::atomic<bool> stopping_ = false;
+  std::atomic<int> at_work_ = 0;  ///< requests that are answered, or wait for a thread
+  Lobby lobby_;
+  httplib::ThreadPool workers_;
 };
 
 /// The most bytes of a submitted sweep.

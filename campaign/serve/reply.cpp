@@ -4,7 +4,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "solver/base/error.hpp"
 
@@ -25,6 +28,19 @@ std::optional<T> parsed(const Parameters& parameters, const std::string& name, c
 
 }  // namespace
 
+void require_known(const Parameters& parameters, std::string_view known) {
+  std::istringstream words{std::string(known)};
+  const std::set<std::string> names{std::istream_iterator<std::string>(words), {}};
+  for (const auto& [name, value] : parameters) {
+    if (!names.contains(name))
+      throw InputError(fmt::format(
+          "parameter {}: this address {}", name,
+          names.empty() ? "takes none" : fmt::format("takes {}", fmt::join(names, ", "))));
+    if (name != "where" && parameters.count(name) > 1)
+      throw InputError(fmt::format("parameter {}: is given twice", name));
+  }
+}
+
 std::string word(const Parameters& parameters, const std::string& name) {
   const auto found = parameters.find(name);
   return found == parameters.end() ? "" : found->second;
@@ -44,5 +60,11 @@ Reply json_reply(const nlohmann::json& document, int status) {
 }
 
 Reply refusal(int status, const std::string& why) { return json_reply({{"error", why}}, status); }
+
+Reply busy(const std::string& why) {
+  Reply reply = refusal(503, why);
+  reply.retry_s = ask_again_s;
+  return reply;
+}
 
 }  // namespace eerie::serve

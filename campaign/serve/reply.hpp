@@ -4,11 +4,16 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace eerie::serve {
 
 /// The parameters after the ? of an address.
 using Parameters = std::multimap<std::string, std::string>;
+
+/// Throws InputError, which names the parameter, where one is none of these (words with blanks
+/// between them) or is given twice. `where` may be repeated: all of its conditions hold.
+void require_known(const Parameters& parameters, std::string_view known);
 
 /// The first value of a parameter; empty where there is none.
 std::string word(const Parameters& parameters, const std::string& name);
@@ -24,11 +29,15 @@ struct Reply {
   std::string body = {};
   std::string etag = {};       ///< identifies the content; empty: browsers keep no copy
   std::string file_name = {};  ///< name of the file to save; empty: browsers show the content
+  int retry_s = 0;             ///< when to ask again; 0: not said
 };
 
 /// A reply of JSON. Bytes that are not UTF-8 become replacement characters.
 Reply json_reply(const nlohmann::json& document, int status = 200);
 /// A reply {"error": reason}.
 Reply refusal(int status, const std::string& why);
+/// A refusal with 503, and when to ask again.
+Reply busy(const std::string& why);
+inline constexpr int ask_again_s = 5;
 
 }  // namespace eerie::serve

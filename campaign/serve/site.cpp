@@ -35,20 +35,28 @@ db::MapFilter map_filter(const Parameters& p) {
   return filter;
 }
 
+constexpr auto of_map = "q phi_d settings";
+constexpr auto of_cell = "q phi_d settings v theta";
+constexpr auto of_jobs =
+    "q phi_d v theta class fidelity sweep eer state settings hash where sort limit offset";
+
 struct View {
   const char* name;
+  const char* parameters;
   Reply (*make)(const db::Connection&, const Parameters&);
 };
 constexpr View views[] = {
-    {"campaign", [](auto& c, const Parameters&) { return json_reply(campaign_json(c)); }},
-    {"timeline", [](auto& c, const Parameters&) { return json_reply(timeline_json(c)); }},
-    {"maps", [](auto& c, const Parameters&) { return json_reply(map_names_json(c)); }},
-    {"map", [](auto& c, const Parameters& p) { return json_reply(map_json(c, map_filter(p))); }},
-    {"ridge",
+    {"campaign", "", [](auto& c, const Parameters&) { return json_reply(campaign_json(c)); }},
+    {"timeline", "", [](auto& c, const Parameters&) { return json_reply(timeline_json(c)); }},
+    {"maps", "", [](auto& c, const Parameters&) { return json_reply(map_names_json(c)); }},
+    {"map", of_map,
+     [](auto& c, const Parameters& p) { return json_reply(map_json(c, map_filter(p))); }},
+    {"ridge", of_map,
      [](auto& c, const Parameters& p) { return json_reply(ridge_json(c, map_filter(p))); }},
-    {"cell", [](auto& c, const Parameters& p) { return json_reply(cell_jobs_json(c, p)); }},
-    {"jobs", [](auto& c, const Parameters& p) { return json_reply(jobs_json(c, p)); }},
-    {"jobs.csv",
+    {"cell", of_cell,
+     [](auto& c, const Parameters& p) { return json_reply(cell_jobs_json(c, p)); }},
+    {"jobs", of_jobs, [](auto& c, const Parameters& p) { return json_reply(jobs_json(c, p)); }},
+    {"jobs.csv", of_jobs,
      [](auto& c, const Parameters& p) {
        return Reply{
            .type = "text/csv; charset=utf-8", .body = jobs_csv(c, p), .file_name = "jobs.csv"};
@@ -122,6 +130,8 @@ Reply Site::answer(const std::string& path, const Parameters& parameters) {
 }
 
 Reply Site::api(const std::string& name, const Parameters& parameters) {
+  if (name == "about" || name == "news") require_known(parameters, "");
+  if (name == "news") return {.body = events_.latest()};
   if (name == "about") {
     const job_folder::Provenance source = job_folder::provenance();
     return json_reply({{"database", fs::absolute(database_).filename().string()},
@@ -132,6 +142,7 @@ Reply Site::api(const std::string& name, const Parameters& parameters) {
   }
   const auto* view = std::ranges::find(views, name, &View::name);
   if (view == std::end(views)) throw NotFound{};
+  require_known(parameters, view->parameters);
   const auto make = [&] {
     const auto before = processor_time();
     Reply reply = view->make(db::Connection(database_, db::Access::read), parameters);
@@ -146,6 +157,7 @@ Reply Site::api(const std::string& name, const Parameters& parameters) {
 Reply Site::of_job(const std::string& address, const Parameters& parameters) {
   const std::size_t slash = address.find('/');
   const std::string what = slash == std::string::npos ? "" : address.substr(slash + 1);
+  require_known(parameters, what == "log" ? "from" : what == "particles" ? "snapshot" : "");
   const db::Connection connection(database_, db::Access::read);
   const db::Job job = queries::find_job(connection, address.substr(0, slash));
   if (what.empty()) return job_reply(connection, job);

@@ -16,7 +16,8 @@ class Site {
  public:
   Site(std::filesystem::path database, bool read_only, Events& events);
 
-  /// Never throws. Errors become a reply {"error": ...}.
+  /// Never throws. Errors become a reply {"error": ...}: 400 for what the address says, 404, and
+  /// 503 where the database cannot be read.
   Reply answer(const std::string& path, const Parameters& parameters);
 
  private:

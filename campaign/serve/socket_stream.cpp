@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 namespace eerie::serve {
 using namespace std::chrono_literals;
@@ -15,8 +16,8 @@ constexpr auto slice = 200ms;  // of waiting, between looks at whether the serve
 constexpr auto time_to_take = 20s;
 }  // namespace
 
-SocketStream::SocketStream(socket_t socket, const std::atomic<bool>& stopping)
-    : socket_(socket), stopping_(stopping) {}
+SocketStream::SocketStream(socket_t socket, std::string bytes, const std::atomic<bool>& stopping)
+    : socket_(socket), stopping_(stopping), bytes_(std::move(bytes)) {}
 
 void SocketStream::allow(Allowance allowance) {
   read_until_ = Clock::now() + allowance.time;
@@ -37,22 +38,9 @@ bool SocketStream::wait_for(short events, Clock::time_point until) const {
   return false;
 }
 
-bool SocketStream::is_asked(std::chrono::milliseconds patience) const {
-  return begin_ < end_ || wait_for(POLLIN, Clock::now() + patience);
+bool SocketStream::is_readable() const {
+  return begin_ < bytes_.size() || wait_for(POLLIN, read_until_);
 }
-
-void SocketStream::part() {
-  ::shutdown(socket_, SHUT_WR);
-  constexpr std::size_t most = 1 << 16;
-  const auto until = Clock::now() + 100ms;
-  for (std::size_t taken = 0; taken < most && wait_for(POLLIN, until);) {
-    const ssize_t got = ::recv(socket_, buffer_.data(), buffer_.size(), 0);
-    if (got <= 0) return;
-    taken += static_cast<std::size_t>(got);
-  }
-}
-
-bool SocketStream::is_readable() const { return begin_ < end_ || wait_for(POLLIN, read_until_); }
 
 bool SocketStream::is_writable() const {
   char byte = 0;
@@ -62,15 +50,17 @@ bool SocketStream::is_writable() const {
 }
 
 ssize_t SocketStream::read(char* data, std::size_t size) {
-  if (begin_ == end_) {
+  if (begin_ == bytes_.size()) {
     if (bytes_left_ == 0 || !wait_for(POLLIN, read_until_)) return -1;
-    const ssize_t got = ::recv(socket_, buffer_.data(), std::min(buffer_.size(), bytes_left_), 0);
+    begin_ = 0;
+    bytes_.resize(std::min(std::size_t{4096}, bytes_left_));
+    const ssize_t got = ::recv(socket_, bytes_.data(), bytes_.size(), 0);
+    bytes_.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     if (got <= 0) return got;
-    begin_ = 0, end_ = static_cast<std::size_t>(got);
-    bytes_left_ -= end_;
+    bytes_left_ -= bytes_.size();
   }
-  const std::size_t taken = std::min(size, end_ - begin_);
-  std::memcpy(data, buffer_.data() + begin_, taken);
+  const std::size_t taken = std::min(size, bytes_.size() - begin_);
+  std::memcpy(data, bytes_.data() + begin_, taken);
   begin_ += taken;
   return static_cast<ssize_t>(taken);
 }

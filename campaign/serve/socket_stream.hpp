@@ -2,32 +2,30 @@
 
 #include <httplib.h>
 
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <string>
 
 namespace eerie::serve {
 
-/// A connection with limits: a request must arrive within a time and a number of bytes, and a reply
-/// must be taken within a time, however slowly the other side sends or reads.
+/// A connection whose request has come up to the end of its head (lobby.hpp). It has limits: a body
+/// must arrive within a time and a number of bytes, and a reply must be taken within a time,
+/// however slowly the other side sends or reads.
 class SocketStream : public httplib::Stream {
  public:
-  /// Does not own the socket. `stopping` ends all waiting.
-  SocketStream(socket_t socket, const std::atomic<bool>& stopping);
+  /// `bytes` came already. Does not own the socket. `stopping` ends all waiting.
+  SocketStream(socket_t socket, std::string bytes, const std::atomic<bool>& stopping);
 
   struct Allowance {
     std::chrono::milliseconds time;
     std::size_t bytes;
   };
-  /// Sets the limits of the next request.
+  /// Sets the limits of what is still to come.
   void allow(Allowance allowance);
 
-  /// Whether the next request, or the end of the connection, came within the time.
-  bool is_asked(std::chrono::milliseconds patience) const;
-  /// Ends the connection. It first reads what the other side has sent, so that the last reply still
-  /// arrives.
-  void part();
+  /// What came and was not read.
+  std::string rest() const { return bytes_.substr(begin_); }
 
   bool is_readable() const override;
   bool is_writable() const override;
@@ -44,10 +42,10 @@ class SocketStream : public httplib::Stream {
 
   socket_t socket_;
   const std::atomic<bool>& stopping_;
-  Clock::time_point read_until_ = Clock::time_point::max();
+  Clock::time_point read_until_ = Clock::now();
   std::size_t bytes_left_ = 0;
-  std::array<char, 4096> buffer_{};
-  std::size_t begin_ = 0, end_ = 0;  ///< the range of bytes that are read and not yet taken
+  std::string bytes_;
+  std::size_t begin_ = 0;  ///< of the bytes that are not yet taken
 };
 
 }  // namespace eerie::serve

@@ -8,8 +8,8 @@
 #include <unordered_set>
 
 #include "campaign/sweeps/fidelity.hpp"
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/base/sphere.hpp"
 #include "solver/scene/guards.hpp"
 
 namespace eerie::sweeps {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/sphere.hpp"
 #include "solver/initial/orbit.hpp"
 #include "solver/initial/packing.hpp"
 #include "solver/scene/body_shape.hpp"

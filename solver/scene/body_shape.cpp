@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "solver/base/bodies/ellipsoid.hpp"
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/base/ellipsoid.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/sphere.hpp"
 
 namespace eerie {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "solver/base/bodies/sphere.hpp"
+#include "solver/base/bodies/two_bodies.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/sha256.hpp"
-#include "solver/base/sphere.hpp"
-#include "solver/base/two_bodies.hpp"
 #include "solver/scene/body_shape.hpp"
 #include "solver/scene/scene_schema_text.hpp"
 #include "solver/scene/schemes.hpp"

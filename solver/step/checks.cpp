@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/sphere.hpp"
 #include "solver/step/solver.hpp"
 
 // What stops a Solver: states that no sound run reaches.

@@ -74,7 +74,8 @@ TEST_F(MapCommand, RefusesWhatItCannotDrawAndSaysWhatWouldDo) {
       {{"-o", "a.gif"}, "must end in .png, .svg or .pdf, or in .csv"},
       {{"--settings", "7", "-o", "a.png"},
        "--q 1 --phi-d 50 --settings 1   1000 particles, survey"},
-      {{"--fidelity", "best", "-o", "a.png"}, "best not in {sketch,survey,standard,fine,paper}"},
+      {{"--fidelity", "best", "-o", "a.png"},
+       "--fidelity = best: must be one of sketch, survey, standard, fine, paper"},
   };
   for (const auto& [arguments, expected] : cases) {
     const Ended ended = map(arguments);

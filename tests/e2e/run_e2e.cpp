@@ -92,7 +92,7 @@ TEST_F(Run, RefusesMalformedSweepsWithoutWritingAnything) {
 TEST_F(Run, RefusesWhatIsWrongOnTheCommandLine) {
   test::write_sweep(folder.path(), 300, four_points);
   const std::pair<std::vector<std::string>, const char*> cases[] = {
-      {{}, "ubcommand"},
+      {{}, "needs a command"},
       {{"fly"}, "there is no command \"fly\""},
       {{"plot"}, "did you mean map?"},
       {{"quary"}, "did you mean query?"},
@@ -137,7 +137,7 @@ TEST_F(Run, HelpsWithExamplesForEveryCommand) {
     EXPECT_THAT(help.out, HasSubstr(std::string("  eerie ") + command)) << command;
   }
   EXPECT_EQ(eerie({"--help"}).code, 0);
-  EXPECT_THAT(eerie({"--version"}).out, HasSubstr("eerie 0."));
+  EXPECT_THAT(eerie({"--version"}).out, HasSubstr("eerie 1."));
 }
 
 TEST_F(Run, SpeaksJsonEverywhere) {

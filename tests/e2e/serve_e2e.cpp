@@ -81,6 +81,13 @@ TEST_F(Serve, ACampaignAtWorkFillsItsCellsAndIsSteeredWithTheToken) {
   EXPECT_EQ(daemon.wait().code, 0);
 }
 
+TEST_F(Serve, APageShowsWhatItCanWithoutPicturesWithoutRoomToListenAndWithoutTheDatabase) {
+  submit("shapes", 4000, {{"v_imp_cm_per_s", {15, 20}}});
+  Program serve(folder.path(), {"serve", "--port", "0", "--read-only"});
+  EXPECT_EQ(browse("without.py", address(serve).first + " " + (folder / "eerie.sqlite").string()),
+            "");
+}
+
 TEST_F(Serve, SaysWhatIsWrongAtTheStart) {
   EXPECT_EQ(eerie({"serve", "--db", "none.sqlite"}).code, 3);
   EXPECT_FALSE(fs::exists(folder / "none.sqlite"));

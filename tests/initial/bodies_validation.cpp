@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "solver/base/bodies/ellipsoid.hpp"
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/base/ellipsoid.hpp"
-#include "solver/base/sphere.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/initial/orbit.hpp"
 #include "solver/scene/body_shape.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "solver/base/sphere.hpp"
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
 #include "tests/proof/ellipsoid.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/sphere.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
 

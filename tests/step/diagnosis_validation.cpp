@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solver/base/sphere.hpp"
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/diagnosis.hpp"
 #include "tests/support/scenes.hpp"

@@ -5,7 +5,7 @@ import { el, fill } from "./dom.js";
 import { line_chart } from "./chart.js";
 import { digits, fixed, none, short, whole } from "./format.js";
 import { cell_facts } from "./map.js";
-import { numbers_of } from "./job.js";
+import { numbers_of, viewer_or_reason } from "./job.js";
 
 const most = 4;
 
@@ -25,10 +25,10 @@ function table(heads, groups) {
 }
 
 async function compare_jobs(root, hashes, signal) {
-  const drawing = import("./viewer.js");  // three.js with it
+  const drawing = viewer_or_reason();
   const jobs = await Promise.all(hashes.map((h) => get(`job/${h}`, {}, signal)));
   const histories = await Promise.all(jobs.map((j) => get(`job/${j.hash}/history`, {}, signal)));
-  const { viewer } = await drawing;
+  const viewer = await drawing;
   if (signal.aborted) return;
   const numbers = jobs.map(numbers_of);
   const rows = numbers[0].map(([name], k) => [name, numbers.map((n) => n[k][1])]);

@@ -1,6 +1,8 @@
 // What changes, told by the server: "database", "work" and "progress". Views listen while they are
 // there; a listener hears at once what was told last.
 
+import { get } from "./api.js";
+
 const listeners = new Set();
 const last = new Map();
 let source = null;
@@ -21,10 +23,26 @@ function connect() {
     source.addEventListener(kind, (event) => tell(kind, JSON.parse(event.data)));
   source.onopen = () => tell("connection", true);
   source.onerror = () => {
-    tell("connection", false);
     // A browser tries again by itself unless it was refused, as where too many listen.
-    if (source?.readyState === EventSource.CLOSED) poll = setTimeout(connect, 5000);
+    if (source?.readyState === EventSource.CLOSED) ask();
+    else tell("connection", false);
   };
+}
+
+/// Where there is no room to listen: asks for the news, and tries again when the server says.
+async function ask() {
+  let again_s = 5;
+  try {
+    const news = await get("news");
+    ({ again_s } = news);
+    tell("connection", true);
+    for (const kind of ["database", "work", "progress"])
+      if (news[kind] && JSON.stringify(news[kind]) !== JSON.stringify(last.get(kind))) tell(kind, news[kind]);
+  } catch {
+    tell("connection", false);
+  }
+  clearTimeout(poll);
+  poll = setTimeout(connect, 1000 * again_s);
 }
 
 // A browser has six connections to a server, for all its tabs and for the pages that it keeps for

@@ -71,8 +71,13 @@ function provenance(job) {
       el("ul", { class: "plain" }, job.files.map((f) => el("li", {}, f.path.split("/").at(-1), " ", el("span", { class: "quiet" }, `${magnitude(f.bytes)}B`))))));
 }
 
+/// What draws particles, three.js with it: only views that do pay. Where it cannot be loaded the
+/// pictures say so, and all else is shown.
+export const viewer_or_reason = () => import("./viewer.js").then((all) => all.viewer)
+  .catch((problem) => () => el("p", { class: "empty problem" }, `Particles cannot be drawn: ${problem.message}`));
+
 export async function show_job(root, { signal, word }) {
-  const drawing = import("./viewer.js");  // three.js with it: only views that draw particles pay
+  const drawing = viewer_or_reason();
   let job = await get(`job/${word}`, {}, signal);
   const address = `job/${job.hash}`;
   const top = el("div", {}), result = el("div", { class: "stack" }), history = el("div", {});
@@ -83,7 +88,7 @@ export async function show_job(root, { signal, word }) {
     fill(result, remnants(job), attempts(job), el("div", { class: "columns" }, scene(job), provenance(job)));
   };
   const draw_picture = async () => {
-    const { viewer } = await drawing;
+    const viewer = await drawing;
     if (signal.aborted) return;
     view = viewer(job.hash, job.snapshots, signal, { on_time: (t) => plots?.point_at(t) });
     fill(picture, el("h2", {}, "What happened"), view);

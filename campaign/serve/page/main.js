@@ -12,6 +12,7 @@ import { show_map } from "./map.js";
 
 const view = document.getElementById("view");
 let present = null;
+let failed = false;
 
 const views = [
   [/^\/(campaign)?$/, "Campaign", show_campaign],
@@ -38,6 +39,7 @@ export function note(parameters) {
 
 async function show() {
   present?.abort();
+  failed = false;
   const here = (present = new AbortController());
   const match = views.map(([pattern, title, body]) => [pattern.exec(location.pathname), title, body])
     .find(([found]) => found);
@@ -53,6 +55,7 @@ async function show() {
     if (!here.signal.aborted) view.dataset.ready = location.pathname;
   } catch (problem) {
     if (here.signal.aborted) return;
+    failed = true;
     fill(view, el("p", { class: "empty" }, problem.message));
   }
 }
@@ -85,6 +88,8 @@ function show_pulse(kind, data) {
   if (kind === "database") {
     banner.hidden = !data.problem;
     fill(banner, data.problem ?? "");
+    // A view that found no database is shown once there is one.
+    if (failed && !data.problem) show();
   }
 }
 

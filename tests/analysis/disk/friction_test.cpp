@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/base/sphere.hpp"
 
 namespace eerie::disk {
 namespace {

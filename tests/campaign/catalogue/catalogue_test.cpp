@@ -12,9 +12,9 @@
 #include "campaign/catalogue/quantities.hpp"
 #include "campaign/sweeps/sweep.hpp"
 #include "campaign/text/csv_table.hpp"
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/sphere.hpp"
 #include "tests/support/impact_database.hpp"
 
 namespace eerie::catalogue {

@@ -7,6 +7,7 @@
 
 #include "campaign/manager/inbox.hpp"
 #include "db/jobs/jobs.hpp"
+#include "db/store/error.hpp"
 #include "db/store/lock.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
@@ -69,6 +70,12 @@ TEST_F(Actions, RefuseWhatNoManagerWouldTake) {
       refusal_of(R"({"kind": "submit", "sweep": "{\"name\": \"x\", \"grid\": {\"speed\": [1]}}"})"),
       HasSubstr("speed"));
   EXPECT_TRUE(manager::Inbox(database).is_empty());
+}
+
+TEST_F(Actions, WaitForNoDatabaseThatIsNotThere) {
+  const std::filesystem::path none = folder / "none.sqlite";
+  EXPECT_THROW(act(none, R"({"kind": "pause", "all": true})"), db::Error);
+  EXPECT_FALSE(std::filesystem::exists(none.string() + ".inbox"));
 }
 
 TEST_F(Actions, SubmitASweep) {

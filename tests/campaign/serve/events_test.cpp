@@ -41,7 +41,7 @@ TEST_F(EventsOfADatabase, TellOfEveryChange) {
 TEST_F(EventsOfADatabase, SayNothingButThatTheyLiveWhereNothingChanges) {
   Events events(database);
   const auto listener = events.listen();
-  heard_until(*listener, "event: progress");
+  heard_until(*listener, "event: database");
   heard_until(*listener, ": nothing new");
   EXPECT_EQ(listener->next(1500ms), ": nothing new\n\n");
 }
@@ -61,6 +61,32 @@ TEST_F(EventsOfADatabase, HaveRoomForSoManyListenersAtATime) {
   EXPECT_EQ(events.listen(), nullptr);
   all.pop_back();
   EXPECT_NE(events.listen(), nullptr);
+}
+
+TEST_F(EventsOfADatabase, AreThereForThoseWhoAskInsteadOfListening) {
+  Events events(database);
+  EXPECT_TRUE(test::eventually([&] {
+    const auto news = nlohmann::json::parse(events.latest());
+    return news.at("database").is_object() && news.at("work").is_object();
+  })) << events.latest();
+  EXPECT_GT(nlohmann::json::parse(events.latest()).at("again_s"), 0);
+}
+
+TEST_F(EventsOfADatabase, LeaveItToTheLastWriterToTidyItsLogAway) {
+  const std::filesystem::path other = folder / "other.sqlite";
+  auto writer = std::make_unique<db::Connection>(other, db::Access::write);
+  Events events(other);
+  const auto listener = events.listen();
+  const std::uint64_t before = events.generation();
+  add_sweep(*writer, "all", "{}", std::vector<db::NewJob>{});
+  EXPECT_TRUE(test::eventually([&] { return events.generation() > before; }));
+  // Unless it meets the events while they look: then the next last one does.
+  EXPECT_TRUE(test::eventually([&] {
+    writer.reset();
+    if (!std::filesystem::exists(other.string() + "-wal")) return true;
+    writer = std::make_unique<db::Connection>(other, db::Access::write);
+    return false;
+  }));
 }
 
 TEST_F(EventsOfADatabase, SurviveADatabaseThatIsNotThere) {

@@ -44,6 +44,20 @@ class Raw {
     return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) ==
            static_cast<ssize_t>(text.size());
   }
+  /// All that comes until the other side ends the connection.
+  std::string all() const {
+    std::string got;
+    std::array<char, 4096> buffer{};
+    for (ssize_t n = 1; n > 0;)
+      if ((n = ::recv(socket_, buffer.data(), buffer.size(), 0)) > 0)
+        got.append(buffer.data(), static_cast<std::size_t>(n));
+    return got;
+  }
+  /// Whether something came that was not read, or the connection ended.
+  bool has_news() const {
+    char byte = 0;
+    return ::recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) >= 0;
+  }
   /// The status of the answer; 0: it was cut off without one.
   int status() const {
     std::string got;
@@ -218,6 +232,99 @@ TEST_F(Hostile, SlowClientsAreLeftAndOthersAnsweredMeanwhile) {
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->status, 200);
   for (const auto& one : slow) EXPECT_NE(one->status(), 200) << "a head takes ten seconds at most";
+}
+
+TEST_F(Hostile, AnAddressThatIsTooLongIsAnsweredSo) {
+  Dashboard dashboard({.database = database, .port = 0});
+  for (const std::string& path :
+       {"/api/job/" + std::string(100'000, '7'), "/api/jobs?where=" + std::string(70'000, 'a')}) {
+    Raw raw(dashboard.port());
+    raw.say(head("GET", path) + "\r\n");
+    const std::string answer = raw.all();
+    EXPECT_TRUE(answer.starts_with("HTTP/1.1 414 ")) << answer.substr(0, 80);
+    EXPECT_NE(answer.find("\r\nContent-Security-Policy: default-src 'none'"), std::string::npos);
+    EXPECT_NE(answer.find("too long"), std::string::npos);
+  }
+}
+
+TEST_F(Hostile, ABadHeadIsAnsweredOnceWithTheGuardHeadersAndThatIsAll) {
+  Dashboard dashboard({.database = database, .port = 0});
+  const std::string next = "GET /api/about HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n",
+                    rest = "\r\nHost: 127.0.0.1\r\n\r\n";
+  const std::vector<std::pair<std::string, std::string>> heads = {
+      {"FOO /api/jobs HTTP/1.1" + rest, "400"},
+      {"GET /api/jobs of all HTTP/1.1" + rest, "400"},
+      {"GET /api/jobs HTTP/1.1\nHost: 127.0.0.1\n\n", "400"},
+      {"GET / HTTP/1.1\r\nX: " + std::string(40'000, 'x') + rest, "431"},
+      {"one line\r\nand one more\r\nand one more\r\n", "400"}};
+  for (const auto& [text, status] : heads) {
+    Raw raw(dashboard.port());
+    raw.say(text + next + next);
+    const std::string answer = raw.all();
+    EXPECT_TRUE(answer.starts_with("HTTP/1.1 " + status)) << answer;
+    EXPECT_EQ(answer.find("HTTP/1.1", 1), std::string::npos) << answer;
+    EXPECT_NE(answer.find("\r\nContent-Security-Policy: "), std::string::npos);
+    EXPECT_NE(answer.find("\r\nConnection: close\r\n"), std::string::npos);
+  }
+}
+
+TEST_F(Hostile, AWholeHeadMayComeInPiecesAndSeveralInOnePiece) {
+  Dashboard dashboard({.database = database, .port = 0});
+  const std::string ask = "GET /api/about HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n";
+  Raw raw(dashboard.port());
+  raw.say(ask.substr(0, 10));
+  std::this_thread::sleep_for(100ms);
+  raw.say(ask.substr(10) + ask + "GET / HTTP/9\r\n");
+  const std::string answers = raw.all();
+  EXPECT_TRUE(answers.starts_with("HTTP/1.1 200")) << answers;
+  EXPECT_NE(answers.find("HTTP/1.1 200", 1), std::string::npos) << answers;
+  EXPECT_NE(answers.find("HTTP/1.1 400"), std::string::npos) << answers;
+}
+
+TEST_F(Hostile, OpenStreamsAndHalfSentHeadsHoldUpNobody) {
+  Dashboard dashboard({.database = database, .port = 0});
+  std::vector<std::unique_ptr<Raw>> streams, halves;
+  int open = 0, refused = 0;
+  for (int k = 0; k < 200; ++k) {
+    streams.push_back(std::make_unique<Raw>(dashboard.port()));
+    streams.back()->say(head("GET", "/api/events") + "\r\n");
+  }
+  for (const auto& one : streams) {
+    const int status = one->status();
+    ++(status == 200 ? open : refused);
+    EXPECT_TRUE(status == 200 || status == 503) << status;
+  }
+  EXPECT_EQ(open, 64);
+  EXPECT_EQ(refused, 136);
+  for (int k = 0; k < 200; ++k) {
+    halves.push_back(std::make_unique<Raw>(dashboard.port()));
+    halves.back()->say("GET / HTTP/1.1\r\nHost: 127");
+  }
+  httplib::Client client("127.0.0.1", dashboard.port());
+  client.set_read_timeout(30);
+  const auto answer = client.Get("/api/about");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 200);
+  EXPECT_FALSE(halves.back()->has_news()) << "it was answered while they all waited";
+  const auto one_more = client.Get("/api/events");
+  ASSERT_TRUE(one_more);
+  EXPECT_EQ(one_more->status, 503);
+  EXPECT_EQ(one_more->get_header_value("Retry-After"), "5");
+  const auto news = client.Get("/api/news");
+  ASSERT_TRUE(news);
+  EXPECT_NE(news->body.find("\"again_s\":5"), std::string::npos) << "what the page does instead";
+}
+
+TEST_F(Hostile, EveryAnswerCarriesTheGuardHeaders) {
+  Dashboard dashboard({.database = database, .port = 0});
+  httplib::Client client("127.0.0.1", dashboard.port());
+  for (const char* path :
+       {"/", "/api/about", "/api/nothing", "/api/jobs?nope=1", "/api/events?x=1"}) {
+    const auto answer = client.Get(path);
+    ASSERT_TRUE(answer) << path;
+    EXPECT_EQ(answer->get_header_value_count("Content-Security-Policy"), 1u) << path;
+    EXPECT_EQ(answer->get_header_value("X-Content-Type-Options"), "nosniff") << path;
+  }
 }
 
 TEST_F(Hostile, ATokenIsNeededAndTheRightOneIsEnough) {

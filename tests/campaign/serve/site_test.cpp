@@ -1,5 +1,6 @@
 #include "campaign/serve/site.hpp"
 
+#include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "campaign/job_folder/job_directory.hpp"
 #include "db/jobs/control.hpp"
+#include "db/store/error.hpp"
 #include "solver/base/file.hpp"
 #include "tests/support/impact_database.hpp"
 #include "tests/support/program.hpp"
@@ -162,10 +164,130 @@ TEST_F(SiteOfADatabase, SaysWhatIsWrongWithAnAddress) {
             400);
 }
 
+TEST_F(SiteOfADatabase, NamesAParameterThatItDoesNotKnowOrThatIsGivenTwice) {
+  const std::string job = "/api/job/" + first_hash();
+  for (const auto& [path, parameters] : std::vector<std::pair<std::string, Parameters>>{
+           {"/api/campaign", {{"nope", "1"}}},
+           {"/api/about", {{"nope", ""}}},
+           {"/api/news", {{"nope", "1"}}},
+           {"/api/timeline", {{"nope", "1"}}},
+           {"/api/maps", {{"nope", "1"}}},
+           {"/api/map", {{"q", "1"}, {"phi_d", "40"}, {"settings", "1"}, {"nope", "x"}}},
+           {"/api/jobs", {{"limit", "1"}, {"nope", "2"}}},
+           {"/api/jobs.csv", {{"nope", "2"}}},
+           {job, {{"nope", "1"}}},
+           {job + "/history", {{"nope", "1"}}},
+           {job + "/log", {{"from", "1"}, {"nope", "1"}}}}) {
+    const Reply reply = site.answer(path, parameters);
+    EXPECT_EQ(reply.status, 400) << path;
+    EXPECT_THAT(reply.body, HasSubstr("nope")) << path;
+  }
+  EXPECT_THAT(site.answer("/api/jobs", {{"limit", "1"}, {"limit", "2"}}).body,
+              HasSubstr("limit: is given twice"));
+  EXPECT_EQ(get("/api/jobs", {{"where", "seed=1"}, {"where", "b_over_a=0:0.3"}})["total"], 3);
+  EXPECT_EQ(site.answer("/map", {{"quantity", "class"}, {"q", "1"}}).status, 200)
+      << "what the page itself keeps in its address";
+}
+
 TEST_F(SiteOfADatabase, ShowsAChangeOnceItIsSeen) {
   EXPECT_EQ(get("/api/campaign")["jobs"]["pending"], 1);
   connection.write([](auto& sql) { db::cancel(sql, {}); });
   EXPECT_TRUE(test::eventually([&] { return get("/api/campaign")["jobs"]["cancelled"] == 2; }));
+}
+
+/// A database that is one whole file, since nobody has it open.
+void make_database(const std::filesystem::path& path, int jobs) {
+  db::Connection connection(path, db::Access::write);
+  add_sweep(connection, "all", "{}", test::sample_jobs(jobs));
+}
+
+/// Two jobs in a file that others move about.
+class SiteOfAFileThatGoes : public testing::Test {
+ protected:
+  SiteOfAFileThatGoes() {
+    make_database(database, 2);
+    make_database(folder / "b.sqlite", 5);
+  }
+  Reply campaign() { return site->answer("/api/campaign", {}); }
+  bool shows(int jobs) {
+    return test::eventually([&] {
+      const Reply reply = campaign();
+      return reply.status == 200 && json::parse(reply.body)["jobs"]["total"] == jobs;
+    });
+  }
+  void serve(const std::filesystem::path& path) {
+    events = std::make_unique<Events>(path);
+    site = std::make_unique<Site>(path, false, *events);
+  }
+  test::TemporaryFolder folder;
+  std::filesystem::path database = folder / "a.sqlite";
+  std::unique_ptr<Events> events;
+  std::unique_ptr<Site> site;
+};
+
+TEST_F(SiteOfAFileThatGoes, ShowsTheFileThatTookItsPlace) {
+  serve(database);
+  EXPECT_TRUE(shows(2));
+  std::filesystem::rename(folder / "b.sqlite", database);
+  EXPECT_TRUE(shows(5));
+}
+
+TEST_F(SiteOfAFileThatGoes, ShowsItAtOnceHoweverMuchRepliesCost) {
+  serve(database);
+  EXPECT_TRUE(shows(2));
+  events->note_cost(std::chrono::seconds(60));  // else the next generation comes in a minute
+  std::filesystem::rename(folder / "b.sqlite", database);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_TRUE(shows(5));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(45));
+}
+
+TEST_F(SiteOfAFileThatGoes, ShowsTheFileToWhichALinkNowLeads) {
+  std::filesystem::create_symlink("a.sqlite", folder / "link.sqlite");
+  serve(folder / "link.sqlite");
+  EXPECT_TRUE(shows(2));
+  std::filesystem::remove(folder / "link.sqlite");
+  std::filesystem::create_symlink("b.sqlite", folder / "link.sqlite");
+  EXPECT_TRUE(shows(5));
+}
+
+TEST_F(SiteOfAFileThatGoes, SaysThatItIsGoneUntilItIsBack) {
+  serve(database);
+  EXPECT_TRUE(shows(2));
+  std::filesystem::rename(database, folder / "away.sqlite");
+  EXPECT_TRUE(test::eventually([&] { return campaign().status == 503; }));
+  EXPECT_THAT(campaign().body, HasSubstr("there is no such file"));
+  EXPECT_TRUE(test::eventually(
+      [&] { return events->latest().find("there is no such file") != std::string::npos; }));
+  std::filesystem::rename(folder / "away.sqlite", database);
+  EXPECT_TRUE(shows(2));
+  EXPECT_TRUE(
+      test::eventually([&] { return events->latest().find("problem") == std::string::npos; }));
+}
+
+TEST_F(SiteOfAFileThatGoes, SaysWhyAFileOfAnotherVersionIsNotShown) {
+  serve(database);
+  EXPECT_TRUE(shows(2));
+  db::Connection connection(database, db::Access::write);
+  for (const char* version : {"-1", "99999"}) {
+    connection.write([&](auto& sql) { sql.exec(std::string("PRAGMA user_version = ") + version); });
+    const std::string reason = std::string("its schema has version ") + version;
+    EXPECT_TRUE(test::eventually([&] { return campaign().body.find(reason) != std::string::npos; }))
+        << campaign().body;
+    EXPECT_EQ(campaign().status, 503);
+  }
+}
+
+TEST_F(SiteOfAFileThatGoes, TakesNoActionOnAFileThatNobodyHasSeen) {
+  serve(database);
+  EXPECT_TRUE(shows(2));
+  EXPECT_TRUE(
+      test::eventually([&] { return json::parse(events->latest())["database"].is_object(); }));
+  EXPECT_NO_THROW(events->require_shown());
+  events->end();  // it looks no more
+  make_database(folder / "c.sqlite", 7);
+  std::filesystem::rename(folder / "c.sqlite", database);
+  EXPECT_THROW(events->require_shown(), db::GoneError);
 }
 
 }  // namespace

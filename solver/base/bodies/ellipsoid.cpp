@@ -1,4 +1,4 @@
-#include "solver/base/ellipsoid.hpp"
+#include "solver/base/bodies/ellipsoid.hpp"
 
 #include <algorithm>
 #include <cmath>

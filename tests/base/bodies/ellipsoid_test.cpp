@@ -1,11 +1,11 @@
-#include "solver/base/ellipsoid.hpp"
+#include "solver/base/bodies/ellipsoid.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/base/sphere.hpp"
 
 namespace eerie {
 namespace {

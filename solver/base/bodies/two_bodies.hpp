@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/base/sphere.hpp"
 
 namespace eerie {
 

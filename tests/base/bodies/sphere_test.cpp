@@ -1,4 +1,4 @@
-#include "solver/base/sphere.hpp"
+#include "solver/base/bodies/sphere.hpp"
 
 #include <gtest/gtest.h>
 
