@@ -8,7 +8,7 @@ FUZZ_SECONDS ?= 600
 PREFIX ?= /usr/local
 
 help:   ## this list
-	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 14
+	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 24
 
 run: build  ## run the first sweep: 15 impacts, a table of outcomes, the b/a map
 	@mkdir -p results

@@ -48,8 +48,12 @@ void require_short_name(const fs::path& database) {
                             database.string(), longest));
 }
 
-/// Refuses what is no database before a lock lies beside it.
+/// Refuses what is no database before a lock lies beside it. After a power cut a database may have
+/// no header until SQLite has read its log.
 void require_database(int descriptor, const fs::path& path) {
+  std::error_code ignored;
+  for (const char* log : {"-wal", "-journal"})
+    if (fs::exists(path.string() + log, ignored)) return;
   constexpr std::string_view header{"SQLite format 3\0", 16};
   std::array<char, header.size()> begin{};
   const ssize_t length = ::pread(descriptor, begin.data(), begin.size(), 0);
