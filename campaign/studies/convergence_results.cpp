@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "campaign/job_folder/history.hpp"
 #include "campaign/results/run_statistics.hpp"
@@ -109,13 +110,16 @@ std::string runs_csv(const std::vector<ConvergenceResult>& results) {
 std::vector<ConvergenceCell> cells_of(const ConvergenceStudy& study,
                                       const std::vector<ConvergenceResult>& results) {
   std::vector<ConvergenceCell> cells;
+  std::set<std::int64_t> particle_numbers;
+  for (const ConvergenceStudy::Rung& rung : study.ladder)
+    particle_numbers.insert(rung.particles_per_target);
   for (const ConvergenceStudy::Case& one : study.cases)
     for (const std::string& scheme : study.schemes)
-      for (const ConvergenceStudy::Rung& rung : study.ladder) {
+      for (const std::int64_t particles : particle_numbers) {
         Runs runs;
         for (const ConvergenceResult& r : results)
           if (r.run.case_name == one.name && r.run.scheme == scheme &&
-              r.run.particles_per_target == rung.particles_per_target)
+              r.run.particles_per_target == particles)
             runs.push_back(&r);
         if (!runs.empty()) cells.push_back(cell_of(runs));
       }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "campaign/studies/convergence_study_schema_text.hpp"
 #include "campaign/sweeps/document_kind.hpp"
@@ -119,14 +121,16 @@ ConvergenceStudy load_convergence_study(const std::filesystem::path& path) {
 
 std::vector<ConvergenceRun> runs_of(const ConvergenceStudy& study) {
   std::vector<ConvergenceRun> runs;
+  std::set<std::tuple<std::string, std::string, std::int64_t, std::int64_t>> there;
   for (const ConvergenceStudy::Rung& rung : study.ladder)
     for (std::int64_t seed = 1; seed <= rung.seeds; ++seed)
       for (const ConvergenceStudy::Case& c : study.cases) {
         if (!rung.cases.empty() && std::ranges::find(rung.cases, c.name) == rung.cases.end())
           continue;
         for (const std::string& scheme : study.schemes)
-          runs.push_back({scheme, c.name, rung.particles_per_target, seed,
-                          scene_of(study, c, scheme, rung.particles_per_target, seed)});
+          if (there.emplace(scheme, c.name, rung.particles_per_target, seed).second)
+            runs.push_back({scheme, c.name, rung.particles_per_target, seed,
+                            scene_of(study, c, scheme, rung.particles_per_target, seed)});
       }
   std::ranges::stable_sort(runs, {}, [](const ConvergenceRun& run) {
     return std::pow(static_cast<double>(run.particles_per_target), 4.0 / 3) *

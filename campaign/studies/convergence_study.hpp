@@ -49,8 +49,9 @@ struct ConvergenceRun {
   Scene scene;
 };
 
-/// All runs, ordered by the cost of a particle number, N^(4/3), times the seed. So an expensive run
-/// comes once more seeds of cheap runs have cost as much.
+/// All runs, each once though rungs may share particle numbers, ordered by the cost of a particle
+/// number, N^(4/3), times the seed. So an expensive run comes once more seeds of cheap runs have
+/// cost as much.
 std::vector<ConvergenceRun> runs_of(const ConvergenceStudy& study);
 
 }  // namespace eerie::studies

@@ -64,6 +64,15 @@ TEST(ConvergenceStudy, RunsWhatIsWorthMostForItsCostFirst) {
                                  std::pair(300, 3), std::pair(300, 4), std::pair(600, 2)));
 }
 
+TEST(ConvergenceStudy, RunsEachOnceThoughRungsShareAParticleNumber) {
+  json more = small_study();
+  more["ladder"].push_back({{"particles_per_target", 300}, {"seeds", 5}});
+  const auto count = [](const json& study) {
+    return runs_of(parse_convergence_study(study, "study.json")).size();
+  };
+  EXPECT_EQ(count(more), count(small_study()) + 4);  // the fifth seed, two cases, two schemes
+}
+
 TEST(ConvergenceStudy, ComplaintsNameTheFieldAndTheMend) {
   json study = small_study();
   study["ladder"][1]["cases"] = {"quick"};
