@@ -43,12 +43,14 @@ text::Table draw_panels(const PictureRequest& request, RunPictures& pictures) {
   return table_of_panels(request.times, moments, chosen, pictures);
 }
 
-void draw_film(const PictureRequest& request, RunPictures& pictures) {
+void draw_film(const PictureRequest& request, RunPictures& pictures, const OnFrame& on_frame) {
   std::vector<std::size_t> all(pictures.snapshots().size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   pictures.choose_frame(all, request.width, 0.9);
-  pictures::make_movie(request.film, all.size(), request.frames_per_s,
-                       [&](std::size_t k) { return pictures.figure({k}, k); });
+  pictures::make_movie(request.film, all.size(), request.frames_per_s, [&](std::size_t k) {
+    if (on_frame) on_frame(k, all.size());
+    return pictures.figure({k}, k);
+  });
 }
 
 }  // namespace
@@ -58,7 +60,8 @@ void require_drawable(const PictureRequest& request) {
   if (!request.film.empty()) pictures::require_movie(request.film);
 }
 
-DrawnPictures draw(const PictureRequest& request, const std::filesystem::path& folder) {
+DrawnPictures draw(const PictureRequest& request, const std::filesystem::path& folder,
+                   const OnFrame& on_frame) {
   RunPictures pictures(folder, request.colour, request.cut);
   DrawnPictures drawn;
   if (!request.panels.empty()) {
@@ -66,7 +69,7 @@ DrawnPictures draw(const PictureRequest& request, const std::filesystem::path& f
     drawn.frame = pictures.frame();
   }
   if (request.film.empty()) return drawn;
-  draw_film(request, pictures);
+  draw_film(request, pictures, on_frame);
   drawn.frames = pictures.snapshots().size();
   if (request.panels.empty()) drawn.frame = pictures.frame();
   return drawn;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -31,8 +32,12 @@ struct DrawnPictures {
   pictures::Frame frame;   ///< of the panels, or of the film alone
 };
 
+/// Hears before each frame of a film how many are drawn, and of how many.
+using OnFrame = std::function<void(std::size_t drawn, std::size_t all)>;
+
 /// Draws the snapshots in `folder` into files whose folders exist. Throws InputError for what
 /// cannot be drawn, and EnvironmentError where a program or the disk fails.
-DrawnPictures draw(const PictureRequest& request, const std::filesystem::path& folder);
+DrawnPictures draw(const PictureRequest& request, const std::filesystem::path& folder,
+                   const OnFrame& on_frame = {});
 
 }  // namespace eerie::run_pictures

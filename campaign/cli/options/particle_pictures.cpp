@@ -2,6 +2,7 @@
 
 #include "campaign/cli/output/complain.hpp"
 #include "campaign/cli/output/files.hpp"
+#include "campaign/cli/output/status_line.hpp"
 #include "campaign/queries/numbers.hpp"
 #include "db/store/bind.hpp"
 
@@ -45,7 +46,9 @@ Answer draw_pictures(const PictureArguments& a, const std::filesystem::path& fol
   std::vector<std::filesystem::path> files;
   for (const auto& file : {request.panels, request.film})
     if (!file.empty()) text::require_folder_of(file), files.push_back(file);
-  run_pictures::DrawnPictures drawn = run_pictures::draw(request, folder);
+  CountLine line("frames drawn:");
+  run_pictures::DrawnPictures drawn = run_pictures::draw(
+      request, folder, [&](std::size_t done, std::size_t all) { line.show(done, all); });
   const char* centre = drawn.frame.on_largest ? "largest remnant" : "centre of mass";
   Answer answer;
   answer.data = {{"panels", records(drawn.panels)},

@@ -8,6 +8,7 @@
 #include "campaign/cli/output/complain.hpp"
 #include "campaign/text/layout.hpp"
 #include "campaign/text/plain_text.hpp"
+#include "campaign/text/quantities.hpp"
 
 namespace eerie::cli {
 namespace {
@@ -52,9 +53,20 @@ void StatusLine::finish() {
 
 void CountLine::show(std::size_t done, std::size_t all) {
   line_.show([&](std::size_t, bool on_terminal) {
-    return on_terminal ? fmt::format("{} {} of {}", verb_, done, all) : std::string();
+    return on_terminal
+               ? fmt::format("{} {} of {}{}", verb_, done, all,
+                             eta_.text(static_cast<double>(done) / static_cast<double>(all)))
+               : std::string();
   });
   if (done == all) line_.finish();
+}
+
+std::string Eta::text(double part) {
+  const Clock::time_point now = Clock::now();
+  if (!begun_) begun_ = Begun{now, part};
+  const double seconds = std::chrono::duration<double>(now - begun_->at).count();
+  if (part <= begun_->part || part >= 1 || seconds < 1) return "";
+  return fmt::format(" | ETA {}", text::duration(seconds * (1 - part) / (part - begun_->part)));
 }
 
 }  // namespace eerie::cli

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "campaign/process/standard_streams.hpp"
@@ -27,14 +28,34 @@ class StatusLine {
   std::chrono::steady_clock::time_point next_;
 };
 
-/// Shows "examined 3 of 15" on a terminal, and clears the line at the end.
+/// How long work takes that goes on as it went since the first question.
+class Eta {
+ public:
+  /// " | ETA 20 s" where so large a part of the work (0 to 1) is done; empty where nothing can be
+  /// said.
+  std::string text(double part);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Begun {
+    Clock::time_point at;
+    double part;
+  };
+  std::optional<Begun> begun_;
+};
+
+/// Shows "examined 3 of 15 | ETA 20 s" on a terminal, and clears the line at the end.
 class CountLine {
  public:
   explicit CountLine(std::string verb) : verb_(std::move(verb)) {}
+  ~CountLine() { line_.finish(); }
+  CountLine(const CountLine&) = delete;
+  CountLine& operator=(const CountLine&) = delete;
   void show(std::size_t done, std::size_t all);
 
  private:
   std::string verb_;
+  Eta eta_;
   StatusLine line_;
 };
 

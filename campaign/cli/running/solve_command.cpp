@@ -11,6 +11,7 @@
 #include "campaign/job_folder/worker_lock.hpp"
 #include "campaign/process/cores.hpp"
 #include "campaign/process/signals.hpp"
+#include "campaign/sweeps/job.hpp"
 #include "campaign/sweeps/sweep.hpp"
 #include "campaign/text/given_folder.hpp"
 #include "campaign/text/json_file.hpp"
@@ -33,9 +34,13 @@ struct SolveArguments {
   SceneChanges changes;
 };
 
-/// Where the run is, in a line for people.
-std::string text_of(const run::Progress& p) {
-  return fmt::format("{:.6g} of {:.6g} s, step {}, dt {:.3g} s", p.time, p.end_time, p.step, p.dt);
+/// Where the run is, in a line for people. Runs that end once settled mostly end long before the
+/// latest time.
+std::string text_of(const run::Progress& p, double expected_end_s, Eta& eta) {
+  const double end = p.time < expected_end_s ? expected_end_s : p.end_time;
+  const std::string dt = p.dt > 0 ? fmt::format(", dt {:.3g} s", p.dt) : "";
+  return fmt::format("{:.6g} of {}{:.6g} s, step {}{}{}", p.time, end < p.end_time ? "about " : "",
+                     end, p.step, dt, eta.text(p.time / end));
 }
 
 void add_cost(Answer& answer, const run::RunSummary& s) {
@@ -106,9 +111,12 @@ Answer solve(const SolveArguments& a) {
   job_folder::open_log(directory);
   const int threads = a.threads > 0 ? a.threads : process::usable_threads();
   StatusLine line;
-  const worker::Computed computed = worker::compute(
-      scene, a.directory, threads, a.max_steps,
-      [&](const run::Progress& p) { line.show([&](std::size_t, bool) { return text_of(p); }); });
+  Eta eta;
+  const double expected_end_s = sweeps::expected_end_s(scene);
+  const worker::Computed computed =
+      worker::compute(scene, a.directory, threads, a.max_steps, [&](const run::Progress& p) {
+        line.show([&](std::size_t, bool) { return text_of(p, expected_end_s, eta); });
+      });
   line.finish();
   return report(scene, a, computed);
 }
