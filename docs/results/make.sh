@@ -12,12 +12,14 @@ columns=$columns,ended_at_s,end_reason,dL_over_L,particle_steps,wall_s,solver_ve
 
 draw() { # NAME Q PHI_D: the maps of one series, and the ridge where there is one
   map="$of --q $2 --phi-d $3"
-  [ -n "$($eerie query $map --columns hash --format csv --limit 1 | tail -n +2)" ] || return 0
+  # A map of a few cells says nothing yet.
+  [ "$($eerie query $map --columns hash --format csv 2> /dev/null | tail -n +2 | wc -l)" -ge 20 ] || return 0
   $eerie map $map -o $out/$1-b-over-a.svg
   $eerie map $map --quantity class,p-eer,m-lr,period -o $out/$1-panels.png
   rm -f $out/$1-panels.csv # the same numbers as in $1-b-over-a.csv
   if $eerie threshold $map > $out/$1-threshold.txt; then
-    $eerie threshold $map -o $out/$1-threshold.svg > /dev/null
+    # Where no ridge is fitted there is nothing to draw.
+    $eerie threshold $map -o $out/$1-threshold.svg > /dev/null 2>&1 || rm -f $out/$1-threshold.svg
   fi
 }
 draw fig2 1 40
