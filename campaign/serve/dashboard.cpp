@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <thread>
-
 #include "campaign/serve/access.hpp"
 #include "campaign/serve/actions.hpp"
 #include "campaign/serve/events.hpp"
@@ -65,12 +63,11 @@ class Dashboard::Running {
         site_(o.database, o.read_only, events_) {
     route();
     port_ = server_.bind(o.address.empty() ? loopback : o.address, o.port);
-    thread_ = std::thread([this] { server_.listen_after_bind(); });
+    server_.begin();
   }
   ~Running() {
     events_.end();
     server_.end();
-    thread_.join();
   }
 
   std::string address() const {
@@ -145,7 +142,6 @@ class Dashboard::Running {
   Site site_;
   GuardedServer server_;
   int port_ = 0;
-  std::thread thread_;
 };
 
 Dashboard::Dashboard(const DashboardOptions& options) {

@@ -66,11 +66,21 @@ int GuardedServer::bind(const std::string& address, int port) {
 
 GuardedServer::~GuardedServer() { end(); }
 
+void GuardedServer::begin() {
+  listening_ = std::thread([this] {
+    listen_after_bind();
+    over_ = true;
+  });
+  // stop() does nothing to a server that does not listen yet, and that would then listen for ever.
+  while (!is_running() && !over_) std::this_thread::sleep_for(1ms);
+}
+
 void GuardedServer::end() {
   if (stopping_.exchange(true)) return;
   stop();
   lobby_.end();
   workers_.shutdown();
+  if (listening_.joinable()) listening_.join();
 }
 
 bool GuardedServer::process_and_close_socket(socket_t socket) {

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <string>
+#include <thread>
 
 #include "campaign/serve/lobby.hpp"
 
@@ -20,7 +21,9 @@ class GuardedServer : public httplib::Server {
   /// which names address, port and mend.
   int bind(const std::string& address, int port);
 
-  /// Ends all connections, so that listen_after_bind() returns.
+  /// Answers in threads of its own from now on, until end(). Call it after bind().
+  void begin();
+  /// Ends all connections, and listening.
   void end();
 
  private:
@@ -28,10 +31,11 @@ class GuardedServer : public httplib::Server {
   bool serve(Visitor& visitor);
   void answer(Visitor visitor);
 
-  std::atomic<bool> stopping_ = false;
+  std::atomic<bool> stopping_ = false, over_ = false;
   std::atomic<int> at_work_ = 0;  ///< requests that are answered, or wait for a thread
   Lobby lobby_;
   httplib::ThreadPool workers_;
+  std::thread listening_;
 };
 
 /// The most bytes of a submitted sweep.

@@ -219,6 +219,10 @@ TEST_F(Hostile, TenThousandRequestsNeitherCrashNorWriteNorStay) {
   EXPECT_TRUE(manager::Inbox(database).is_empty());
 }
 
+TEST_F(Hostile, ADashboardThatIsEndedAsItBeginsEnds) {
+  for (int k = 0; k < 200; ++k) Dashboard({.database = database, .port = 0});
+}
+
 TEST_F(Hostile, SlowClientsAreLeftAndOthersAnsweredMeanwhile) {
   Dashboard dashboard({.database = database, .port = 0});
   std::vector<std::unique_ptr<Raw>> slow;
