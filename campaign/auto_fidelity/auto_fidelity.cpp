@@ -71,9 +71,9 @@ std::vector<Rung> ladder(const nlohmann::json& sweep, const std::vector<std::str
     std::vector<std::string> all = sweeps::overrides_of_fidelity(fidelity.name);
     all.insert(all.end(), overrides.begin(), overrides.end());
     try {
-      Rung rung{fidelity.name, sweeps::parse_sweep(sweep, all, where)};
-      sweeps::expand(rung.sweep);
-      rungs.push_back(std::move(rung));
+      sweeps::Sweep with_settings = sweeps::parse_sweep(sweep, all, where);
+      std::vector<Scene> scenes = sweeps::expand(with_settings);
+      rungs.push_back({fidelity.name, std::move(with_settings), std::move(scenes)});
     } catch (const TooFewParticles&) {
       if (fidelity.name == finest) throw;
     }
@@ -107,10 +107,10 @@ AutoFidelity::AutoFidelity(std::vector<Rung> rungs, AutoOptions options)
         lowest.where));
   require_numbers(lowest);
   cells_.resize(sweeps::point_count(lowest));
-  for (const Rung& rung : rungs_) {
-    std::vector<Scene> scenes = sweeps::expand(rung.sweep);
+  for (Rung& rung : rungs_) {
     for (std::size_t c = 0; c < cells_.size(); ++c)
-      cells_[c].scenes.push_back(std::move(scenes[c])), cells_[c].runs.emplace_back();
+      cells_[c].scenes.push_back(std::move(rung.scenes[c])), cells_[c].runs.emplace_back();
+    rung.scenes.clear();
   }
   deviations_.assign(rungs_.size(), prior_deviation);
   find_neighbours(lowest.axes);

@@ -18,10 +18,11 @@ struct AutoOptions {
   std::int64_t most_seeds = sweeps::most_last_auto_seeds;  ///< of one impact on the last rung
 };
 
-/// A fidelity of the ladder, with the sweep that has its settings.
+/// A fidelity of the ladder, with the sweep that has its settings and its scenes.
 struct Rung {
   std::string name;
   sweeps::Sweep sweep;
+  std::vector<Scene> scenes;
 };
 
 /// The rungs from "sketch", or the first whose impactors have particles enough, to `finest`. Each

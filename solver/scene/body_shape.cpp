@@ -11,6 +11,15 @@
 
 namespace eerie {
 
+Vec3 spin_axis(const Scene::Spin& spin) {
+  const double tilt = radians(spin.tilt_deg), node = radians(spin.node_deg);
+  return {std::sin(tilt) * std::cos(node), std::sin(tilt) * std::sin(node), std::cos(tilt)};
+}
+
+double spin_rate(const Scene::Spin& spin) {
+  return spin.period_h == 0 ? 0 : 2 * pi / (3600 * spin.period_h);
+}
+
 BodyShape::BodyShape(const Scene::Shape& shape, const Scene::Spin& spin)
     : is_sphere_(shape.b_over_a == 1 && shape.c_over_a == 1) {
   if (is_sphere_) return;
@@ -19,8 +28,7 @@ BodyShape::BodyShape(const Scene::Shape& shape, const Scene::Spin& spin)
   const double tilt = radians(spin.tilt_deg), node = radians(spin.node_deg),
                turn = radians(shape.turn_deg);
   // The shortest axis, the direction in which it is tilted, and the one across.
-  const Vec3 pole = {std::sin(tilt) * std::cos(node), std::sin(tilt) * std::sin(node),
-                     std::cos(tilt)};
+  const Vec3 pole = spin_axis(spin);
   const Vec3 along = {std::cos(tilt) * std::cos(node), std::cos(tilt) * std::sin(node),
                       -std::sin(tilt)};
   const Vec3 across = cross(pole, along);
@@ -42,10 +50,6 @@ BodyShape target_shape(const Scene& s) { return {s.target.shape, s.target.spin};
 BodyShape impactor_shape(const Scene& s) { return {s.impactor.shape, s.impactor.spin}; }
 
 namespace {
-
-double spin_rate(const Scene::Spin& spin) {
-  return spin.period_h == 0 ? 0 : 2 * pi / (3600 * spin.period_h);
-}
 
 void require_round_one_stands(const Scene& scene, const Scene::Spin& spin, double friction,
                               const std::string& field) {

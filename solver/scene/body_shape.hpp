@@ -30,6 +30,11 @@ class BodyShape {
   std::array<Vec3, 3> directions_ = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 };
 
+/// The unit vector along the axis of a spin, also of a body that does not turn.
+Vec3 spin_axis(const Scene::Spin& spin);
+/// The rate of a spin, rad/s; 0 of a body that does not turn.
+double spin_rate(const Scene::Spin& spin);
+
 BodyShape target_shape(const Scene& scene);
 BodyShape impactor_shape(const Scene& scene);
 

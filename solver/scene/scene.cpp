@@ -358,10 +358,7 @@ double bulk_sound_speed(const Scene& s) {
 }
 Vec3 spin(const Scene::Spin& s) {
   if (s.period_h == 0) return {};
-  const double omega = 2 * pi / (3600 * s.period_h), tilt = radians(s.tilt_deg),
-               node = radians(s.node_deg);
-  return omega *
-         Vec3{std::sin(tilt) * std::cos(node), std::sin(tilt) * std::sin(node), std::cos(tilt)};
+  return spin_rate(s) * spin_axis(s);
 }
 double friction_coefficient(const Scene& s) {
   return std::tan(radians(s.material.drucker_prager.phi_d_deg));

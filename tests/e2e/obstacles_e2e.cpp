@@ -20,6 +20,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
+using nlohmann::json;
 
 class Obstacles : public testing::Test {
  protected:
@@ -32,9 +33,18 @@ class Obstacles : public testing::Test {
   fs::path submitted() {
     EXPECT_EQ(eerie({"submit", "sweep.json"}).code, 0);
     const std::string listed = eerie({"expand", "sweep.json", "--list", "--json"}).out;
-    const std::string hash =
-        nlohmann::json::parse(listed).at("list").at(0).at("hash").get<std::string>();
+    const std::string hash = json::parse(listed).at("list").at(0).at("hash").get<std::string>();
     return folder / "eerie.sqlite.jobs" / hash.substr(0, 16);
+  }
+
+  /// A request for a sweep over so many seeds, as another program might leave it.
+  void put_request_of_seeds(int count) {
+    const fs::path inbox = folder / "eerie.sqlite.inbox";
+    fs::create_directories(inbox);
+    const json seeds = {{"from", 0}, {"to", count - 1}, {"step", 1}};
+    const json sweep = {{"name", "b"}, {"grid", {{"numerics.seed", seeds}}}};
+    install_text(inbox / "0-a4a4a4a4.json",
+                 json{{"id", "a4a4a4a4"}, {"kind", "submit"}, {"sweep", sweep.dump()}}.dump());
   }
 
   test::TemporaryFolder folder;
@@ -109,10 +119,7 @@ TEST_F(Obstacles, ALimitOfFileSizesIsToldLikeAFullDisk) {
 
 TEST_F(Obstacles, ADaemonThatHangsInARequestWithoutEndEndsWhenTold) {
   submitted();
-  const fs::path inbox = folder / "eerie.sqlite.inbox";
-  fs::create_directories(inbox);
-  install_text(inbox / "0-a4a4a4a4.json", R"({"id": "a4a4a4a4", "kind": "submit", "sweep":
- "{\"name\": \"b\", \"grid\": {\"numerics.seed\": {\"from\": 0, \"to\": 199999, \"step\": 1}}}"})");
+  put_request_of_seeds(200000);
   Program daemon(folder.path(), {"daemon", "--min-free-mb", "0"});
   test::eventually([&] { return daemon.said().find("event=daemon ") != std::string::npos; });
   daemon.send(SIGTERM);
@@ -123,10 +130,7 @@ TEST_F(Obstacles, ADaemonThatHangsInARequestWithoutEndEndsWhenTold) {
 
 TEST_F(Obstacles, ARequestOfMoreJobsThanASweepMayHaveIsSetAside) {
   submitted();
-  const fs::path inbox = folder / "eerie.sqlite.inbox";
-  fs::create_directories(inbox);
-  install_text(inbox / "0-a4a4a4a4.json", R"({"id": "a4a4a4a4", "kind": "submit", "sweep":
- "{\"name\": \"b\", \"grid\": {\"numerics.seed\": {\"from\": 0, \"to\": 999999, \"step\": 1}}}"})");
+  put_request_of_seeds(1000000);
   const Ended ended = eerie({"daemon", "--until-idle", "--min-free-mb", "0"});
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.err, AllOf(HasSubstr("refused"), HasSubstr("more than 200000 values")));

@@ -5,32 +5,15 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/shapes/shape.hpp"
+#include "solver/base/bodies/ellipsoid.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
 
 namespace eerie::proof {
 
-AttractionCoefficients attraction(double a, double b, double c) {
-  // A_i = abc int_0^inf du/[(a_i^2 + u) Delta]; u = s^2/(1-s)^2 makes the range finite and the
-  // integrand smooth; Simpson's rule.
-  const double axes[3] = {a, b, c}, scale = a * a;
-  double sum[3] = {};
-  constexpr int intervals = 4000;
-  for (int n = 0; n <= intervals; ++n) {
-    const double s = static_cast<double>(n) / intervals, weight = n % 2 == 1 ? 4 : 2;
-    if (n == 0 || n == intervals) continue;  // the integrand is zero at both ends
-    const double t = s / (1 - s), u = scale * t * t;
-    const double du = scale * 2 * t / ((1 - s) * (1 - s));
-    const double delta = std::sqrt((a * a + u) * (b * b + u) * (c * c + u));
-    for (int k = 0; k < 3; ++k) sum[k] += weight * du / ((axes[k] * axes[k] + u) * delta);
-  }
-  const double f = a * b * c / (3.0 * intervals);
-  return {f * sum[0], f * sum[1], f * sum[2]};
-}
-
 StabilityLimit stability_limit(double a, double b, double c, double mu_d) {
-  const auto [Ax, Ay, Az] = attraction(a, b, c);
+  const auto [Ax, Ay, Az] = attraction_coefficients({a, b, c});
   const auto holds = [&](double W) {
     const double x = a * a * (W - Ax), y = b * b * (W - Ay), z = -c * c * Az;
     const double p = -(x + y + z) / 3;

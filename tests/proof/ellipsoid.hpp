@@ -17,12 +17,6 @@ struct StabilityLimit {
 };
 StabilityLimit stability_limit(double a, double b, double c, double mu_d);
 
-/// A_x, A_y, A_z; their sum is 2.
-struct AttractionCoefficients {
-  double x, y, z;
-};
-AttractionCoefficients attraction(double a, double b, double c);
-
 /// Ratio of the axes of a body's equal-inertia ellipsoid, and the spin W about its shortest axis.
 struct Figure3 {
   double b_over_a, c_over_a, a, W;

@@ -20,27 +20,28 @@ std::string whole_number(const std::string& text, const std::string& name) {
   return (text.starts_with('-') ? "-" : "") + text.substr(first);
 }
 
+std::string finite_number(const std::string& text, const std::string& name) {
+  if (const std::optional<double> value = queries::finite_number(text))
+    return fmt::format("{}", *value);
+  throw InputError(fmt::format("{} = {}: must be a finite number; for example 0.5", name, text));
+}
+
+/// How the text of an option is read before the parser does; nothing for words.
+using Reader = std::string (*)(const std::string& text, const std::string& name);
+Reader reader_of(const std::string& type) {
+  if (type.starts_with("INT") || type.starts_with("UINT")) return whole_number;
+  return type.starts_with("FLOAT") ? finite_number : nullptr;
+}
+
 }  // namespace
 
 void require_plain_numbers(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({})) require_plain_numbers(*command);
   for (CLI::Option* option : app.get_options())
-    if (const std::string type = option->get_type_name();
-        type.starts_with("INT") || type.starts_with("UINT"))
+    if (const Reader read = reader_of(option->get_type_name()))
       option->transform(CLI::Validator(
-          [name = option->get_name()](std::string& text) -> std::string {
-            text = whole_number(text, name);
-            return "";
-          },
-          ""));
-    else if (type.starts_with("FLOAT"))
-      option->transform(CLI::Validator(
-          [name = option->get_name()](std::string& text) -> std::string {
-            const std::optional<double> value = queries::finite_number(text);
-            if (!value)
-              throw InputError(
-                  fmt::format("{} = {}: must be a finite number; for example 0.5", name, text));
-            text = fmt::format("{}", *value);
+          [read, name = option->get_name()](std::string& text) -> std::string {
+            text = read(text, name);
             return "";
           },
           ""));

@@ -22,7 +22,8 @@ using Action = std::function<Answer(Output&)>;
 inline constexpr int most_threads = 4096;
 
 /// Makes every numeric option refuse NaN, infinity and trailing text, and round to
-/// sweeps::significant_digits. Call it after all commands have their options.
+/// sweeps::significant_digits. Whole numbers are decimal digits. Call it after all commands have
+/// their options.
 void require_plain_numbers(CLI::App& app);
 
 // These options are shared by several commands.
