@@ -22,6 +22,12 @@ namespace {
 constexpr const char* folder_key = "jobs_folder";
 }
 
+fs::path JobDirectory::shared_bodies() const {
+  // With a slash at its end, which lexically_normal() keeps, "." has a folder above it, too.
+  const fs::path whole = fs::absolute(path / "").lexically_normal();
+  return JobFolder{whole.parent_path().parent_path()}.bodies();
+}
+
 JobFolder job_folder(const db::Connection& connection) {
   if (const auto chosen = db::setting(connection, folder_key)) return {*chosen};
   return {fs::path(connection.path().string() + ".jobs")};

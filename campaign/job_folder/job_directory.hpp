@@ -30,6 +30,8 @@ struct JobDirectory {
   std::filesystem::path worker_lock() const { return path / "worker.lock"; }
   std::filesystem::path ended() const { return path / "ended.json"; }
   std::filesystem::path stop() const { return path / "stop"; }
+  /// JobFolder::bodies() of the folder in which it lies.
+  std::filesystem::path shared_bodies() const;
 };
 
 /// The folder of the job directories of a campaign.
@@ -37,6 +39,8 @@ struct JobFolder {
   std::filesystem::path root;
   /// The directory of a job: root / the first 16 hexadecimal digits of its hash.
   JobDirectory of(const std::string& hash) const { return {root / hash.substr(0, 16)}; }
+  /// Bodies at rest, which jobs share (solver/run/kept_bodies.hpp).
+  std::filesystem::path bodies() const { return root / "bodies"; }
 };
 
 /// The job folder of a database: the one that it names, or "<database>.jobs".

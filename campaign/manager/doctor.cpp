@@ -175,7 +175,7 @@ class Examination {
     std::error_code missing;
     for (const auto& entry : fs::directory_iterator(folder_.root, missing))
       if (entry.is_directory() && entry.path().filename() != "batches" &&
-          !known_.contains(entry.path().filename()))
+          entry.path() != folder_.bodies() && !known_.contains(entry.path().filename()))
         find(fmt::format("{} belongs to no job of the database", entry.path().string()),
              "submit its sweep again, and its result is taken over; or remove it");
   }

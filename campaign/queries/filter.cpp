@@ -79,19 +79,29 @@ void require_fitting(const db::Connection& connection, db::View view, const db::
     if (db::has_jobs(connection, view)) std::ranges::copy(of_results, std::back_inserter(known));
     refuse_column(option, c.column, view, known);
   }
-  const bool word = kind_of(connection, view, c.column) == db::ColumnKind::word;
-  if (!word && !c.words.empty())
-    throw InputError(
-        fmt::format("{}: {} is a number; give one, LO:HI, LO:, :HI or none, for example {}=0:0.3",
-                    option, c.column, c.column));
+  const db::ColumnKind kind = kind_of(connection, view, c.column);
+  if (c.words.empty() || kind == db::ColumnKind::word) return;
+  throw InputError(
+      kind == db::ColumnKind::flag
+          ? fmt::format("{0}: {1} is true or false; give {1}=true, {1}=false or {1}=none", option,
+                        c.column)
+          : fmt::format("{0}: {1} is a number; give one, LO:HI, LO:, :HI or none, for example "
+                        "{1}=0:0.3",
+                        option, c.column));
 }
 
-/// Of a column of words a number is a word too.
-void as_words(const db::Connection& connection, db::View view, db::Condition& c,
-              const std::string& value) {
-  if (c.empty || kind_of(connection, view, c.column) != db::ColumnKind::word) return;
-  c.lo = c.hi = std::nullopt;
-  c.words = split(value, ',');
+/// Of a column of words a number is a word too, and a flag may be spelled as JSON spells it.
+void as_column(const db::Connection& connection, db::View view, db::Condition& c,
+               const std::string& value) {
+  if (c.empty) return;
+  const db::ColumnKind kind = kind_of(connection, view, c.column);
+  if (kind == db::ColumnKind::word) {
+    c.lo = c.hi = std::nullopt;
+    c.words = split(value, ',');
+  } else if (kind == db::ColumnKind::flag && (value == "true" || value == "false")) {
+    c.lo = c.hi = value == "true" ? 1 : 0;
+    c.words.clear();
+  }
 }
 
 std::vector<std::int64_t> sweeps_named(const db::Connection& connection, const std::string& name) {
@@ -175,7 +185,7 @@ db::ViewQuery filtered(const db::Connection& connection, db::View view, const Fi
   }
   for (const std::string& text : a.where) {
     db::Condition c = parse_condition(text);
-    as_words(connection, view, c, name_and_value(text).second);
+    as_column(connection, view, c, name_and_value(text).second);
     add(std::move(c), "--where " + text);
   }
   if (a.sweep.empty()) return query;

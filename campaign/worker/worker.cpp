@@ -83,8 +83,8 @@ int run_job(const job_folder::JobDirectory& directory, int threads) {
   for (const std::string& warning : warnings(scene)) spdlog::warn("{}", warning);
   fs::remove(directory.failure());
   try {
-    const Computed computed =
-        compute(scene, directory.path, threads, 0, ProgressWriter(directory, scene));
+    const Computed computed = compute(scene, directory.path, threads, 0,
+                                      ProgressWriter(directory, scene), directory.shared_bodies());
     if (computed.summary.end != run::RunEnd::finished) {
       spdlog::info("stopped at {:.6g} s, step {}: the checkpoint is written",
                    computed.summary.progress.time, computed.summary.progress.step);
@@ -153,11 +153,14 @@ int attempt(const job_folder::JobDirectory& directory, int threads) {
 }  // namespace
 
 Computed compute(const Scene& scene, const fs::path& directory, int threads, long max_steps,
-                 const std::function<void(const run::Progress&)>& on_progress) {
+                 const std::function<void(const run::Progress&)>& on_progress,
+                 const fs::path& bodies) {
   const job_folder::JobDirectory folder{directory};
   Watch watch(scene, folder);
   Computed computed;
-  computed.summary = run::run_impact(scene, watch.options(threads, max_steps, on_progress));
+  run::RunOptions options = watch.options(threads, max_steps, on_progress);
+  options.bodies = bodies;
+  computed.summary = run::run_impact(scene, options);
   computed.analysis = analyse_run(folder, computed.summary.last, watch.history());
   return computed;
 }

@@ -19,12 +19,14 @@ struct WorkerOptions {
 int run_worker(const WorkerOptions& options);
 
 /// The run and the analysis of one impact. compute() writes the history into the folder, but no
-/// lock, log or result file.
+/// lock, log or result file. Where `bodies` names a folder, bodies at rest are taken from it and
+/// left there.
 struct Computed {
   run::RunSummary summary;
   remnants::Analysis analysis;
 };
 Computed compute(const Scene& scene, const std::filesystem::path& directory, int threads,
-                 long max_steps, const std::function<void(const run::Progress&)>& on_progress);
+                 long max_steps, const std::function<void(const run::Progress&)>& on_progress,
+                 const std::filesystem::path& bodies = {});
 
 }  // namespace eerie::worker

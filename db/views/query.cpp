@@ -152,11 +152,13 @@ std::vector<SweepStatus> sweep_status(const Connection& connection) {
   std::vector<SweepStatus> rows;
   connection.read([&](SQLite::Database& sql) {
     SQLite::Statement select(sql, R"(
-        SELECT s.id, s.name, s.created, j.state, count(*),
-               sum(CASE WHEN j.state IN ('pending', 'running') THEN j.expected_particle_steps ELSE 0 END),
-               sum(j.state = 'pending' AND j.wanted <> 'run'), l.label
-        FROM sweeps s JOIN sweep_labels l ON l.id = s.id JOIN sweep_jobs sj ON sj.sweep_id = s.id JOIN jobs j ON j.id = sj.job_id
-        GROUP BY s.id, j.state ORDER BY s.id)");
+        WITH counts AS MATERIALIZED (
+          SELECT sj.sweep_id, j.state, count(*) AS jobs,
+                 sum(CASE WHEN j.state IN ('pending', 'running') THEN j.expected_particle_steps ELSE 0 END) AS steps_left,
+                 sum(j.state = 'pending' AND j.wanted <> 'run') AS paused
+          FROM sweep_jobs sj JOIN jobs j ON j.id = sj.job_id GROUP BY sj.sweep_id, j.state)
+        SELECT s.id, s.name, s.created, c.state, c.jobs, c.steps_left, c.paused, l.label
+        FROM counts c JOIN sweeps s ON s.id = c.sweep_id JOIN sweep_labels l ON l.id = s.id ORDER BY s.id)");
     while (select.executeStep()) {
       const std::int64_t id = select.getColumn(0).getInt64();
       if (rows.empty() || rows.back().id != id) {
@@ -172,7 +174,7 @@ std::vector<SweepStatus> sweep_status(const Connection& connection) {
       rows.back().paused += select.getColumn(6).getInt64();
     }
     SQLite::Statement stale(sql, R"(
-        SELECT sj.sweep_id, count(*) FROM job_results r JOIN sweep_jobs sj ON sj.job_id = r.job_id
+        SELECT sj.sweep_id, count(*) FROM job_results r CROSS JOIN sweep_jobs sj ON sj.job_id = r.job_id
         WHERE r.solver_version <> (SELECT value FROM settings WHERE key = 'solver_version')
         GROUP BY sj.sweep_id)");
     while (stale.executeStep())

@@ -8,6 +8,9 @@
 #include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/sha256.hpp"
+#include "solver/base/simd.hpp"
+#include "solver/base/version.hpp"
 #include "solver/initial/orbit.hpp"
 #include "solver/initial/packing.hpp"
 #include "solver/scene/body_shape.hpp"
@@ -39,10 +42,6 @@ Vec3 spin_of(const Scene& scene, particles::Body body) {
 
 BodyShape shape_of(const Scene& scene, particles::Body body) {
   return body == particles::Body::target ? target_shape(scene) : impactor_shape(scene);
-}
-
-const char* name_of(particles::Body body) {
-  return body == particles::Body::target ? "target" : "impactor";
 }
 
 /// Adds a rigid rotation about the origin. Without one not even the signs of zeros change.
@@ -134,6 +133,26 @@ particles::State unsettled_body(const Scene& scene, particles::Body body, const 
 }
 
 }  // namespace
+
+const char* name_of(particles::Body body) {
+  return body == particles::Body::target ? "target" : "impactor";
+}
+
+std::string body_hash(const Scene& scene, particles::Body body) {
+  Scene only = scene;
+  only.impact.v_imp_cm_per_s = only.impact.theta_imp_deg = only.impact.separation = 0;
+  only.end = {};
+  constexpr Scene::Spin at_rest{};
+  constexpr Scene::Shape sphere{1, 1, 0};
+  if (body == particles::Body::target) {
+    only.impact.q = 1;
+    only.impactor = {at_rest, sphere};
+  } else {
+    only.target.spin = at_rest, only.target.shape = sphere;
+  }
+  return sha256_hex(
+      fmt::format("{} {} {} {}", name_of(body), scene_hash(only), solver_version, vector_variant));
+}
 
 Settling::Settling(const Scene& scene, particles::Body body, const std::function<bool()>& stop)
     : Settling(scene, body, step::Solver(scene, unsettled_body(scene, body, stop))) {}

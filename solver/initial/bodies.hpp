@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "solver/particles/state.hpp"
 #include "solver/scene/scene.hpp"
@@ -35,6 +36,13 @@ class Settling {
   Vec3 omega_;       ///< angular velocity, rad/s
   step::Solver solver_;
 };
+
+/// "target" or "impactor".
+const char* name_of(particles::Body body);
+
+/// The SHA-256 (hexadecimal) of all that decides the bits of a body at rest. Scenes that differ in
+/// what happens to it later, or in the other body, have it in common.
+std::string body_hash(const Scene& scene, particles::Body body);
 
 /// Makes one body alone, at rest at the origin, by Settling to its end. Throws NumericalError where
 /// it does not come to rest.

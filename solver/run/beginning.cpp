@@ -5,6 +5,7 @@
 #include "solver/initial/bodies.hpp"
 #include "solver/initial/packing.hpp"
 #include "solver/run/checkpoints.hpp"
+#include "solver/run/kept_bodies.hpp"
 
 namespace eerie::run {
 namespace fs = std::filesystem;
@@ -18,18 +19,16 @@ constexpr std::array<const char*, 2> settling_files = {"settling_target.hdf5",
 
 class Begin {
  public:
-  Begin(const Scene& scene, const RunOptions& options) : scene_(scene), options_(options) {}
+  Begin(const Scene& scene, const RunOptions& options)
+      : scene_(scene), options_(options), kept_(options.bodies, to_log()) {}
 
   std::variant<Beginning, NotBegun> operator()() {
-    const auto to_log = [this](const std::string& text) { note(text); };
-    if (auto saved = newest_checkpoint(options_.directory, scene_, to_log)) {
+    if (auto saved = newest_checkpoint(options_.directory, scene_, to_log())) {
       const std::optional<step::Totals> first = initial_totals();
       io::Snapshot& from = saved->state;
       if (!first) return NotBegun{*end_, std::move(from), steps_};
       note(fmt::format("going on from t = {:.0f} s, step {}", from.state.time, from.state.step));
-      return Beginning{step::Solver(scene_, std::move(from.state), std::move(*from.rates),
-                                    *from.restart, std::move(from.pressure)),
-                       *first, saved->is_final};
+      return Beginning{solver_from(std::move(from)), *first, saved->is_final};
     }
     io::Snapshot start{scene_, made_impact(), {}, {}, {}};
     if (end_) return NotBegun{*end_, std::move(start), steps_};
@@ -42,6 +41,10 @@ class Begin {
   }
 
  private:
+  std::function<void(const std::string&)> to_log() const {
+    return [this](const std::string& text) { note(text); };
+  }
+
   /// Of time 0, from the first snapshot or, where that is lost, from making the bodies again.
   /// Nothing where that was stopped.
   std::optional<step::Totals> initial_totals() {
@@ -79,6 +82,10 @@ class Begin {
   /// Nothing where it was stopped before there was anything to keep.
   std::optional<initial::Settling> settled(Body body) {
     std::optional<initial::Settling> settling;
+    if (auto kept = kept_.find(scene_, body)) {
+      settling.emplace(scene_, body, solver_from(*std::move(kept)));
+      return settling;
+    }
     try {
       settling.emplace(begun(body));
     } catch (const initial::PackingStopped&) {
@@ -89,7 +96,17 @@ class Begin {
       settling->cycle();
       steps_ += settling->solver().state().step - before;
     }
+    if (!end_ && kept_.keeps()) {
+      keep(body, *settling);
+      kept_.keep(scene_, body, file_of(body));
+    }
     return settling;
+  }
+
+  /// Of a checkpoint.
+  step::Solver solver_from(io::Snapshot saved) const {
+    return {scene_, std::move(saved.state), std::move(*saved.rates), *saved.restart,
+            std::move(saved.pressure)};
   }
 
   fs::path file_of(Body body) const {
@@ -104,14 +121,11 @@ class Begin {
 
   initial::Settling begun(Body body) {
     const fs::path file = file_of(body);
-    const auto to_log = [this](const std::string& text) { note(text); };
-    auto saved = usable_checkpoint(file, scene_, to_log);
+    auto saved = usable_checkpoint(file, scene_, to_log());
     if (!saved) return {scene_, body, [this] { return is_over(); }};
     note(fmt::format("{}: going on from step {} of its way to rest", file.string(),
                      saved->state.step));
-    return {scene_, body,
-            step::Solver(scene_, std::move(saved->state), std::move(*saved->rates), *saved->restart,
-                         std::move(saved->pressure))};
+    return {scene_, body, solver_from(*std::move(saved))};
   }
 
   bool is_over() {
@@ -129,6 +143,7 @@ class Begin {
 
   const Scene& scene_;
   const RunOptions& options_;
+  KeptBodies kept_;
   long steps_ = 0;
   std::optional<RunEnd> end_;  ///< set once the run is not to begin
 };

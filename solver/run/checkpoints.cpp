@@ -11,9 +11,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Why a file is no state that a run of `scene` can go on from; empty where it is one.
-std::string obstacle(const io::Snapshot& saved, const Scene& scene) {
-  if (scene_hash(saved.scene) != scene_hash(scene)) return "belongs to another scene";
+/// Why a file is no state that a run can go on from; empty where it is one.
+std::string obstacle(const io::Snapshot& saved, const std::function<bool(const Scene&)>& belongs) {
+  if (!belongs(saved.scene)) return "belongs to another scene";
   if (!saved.rates || !saved.restart) return "is no checkpoint";
   if (saved.solver_version != solver_version)
     return fmt::format("is of solver version {}, this is {}", saved.solver_version, solver_version);
@@ -28,11 +28,18 @@ fs::path snapshot_path(const fs::path& directory, long number) {
 
 std::optional<io::Snapshot> usable_checkpoint(const fs::path& path, const Scene& scene,
                                               const std::function<void(const std::string&)>& note) {
+  const auto same = [&](const Scene& saved) { return scene_hash(saved) == scene_hash(scene); };
+  return usable_checkpoint(path, same, note);
+}
+
+std::optional<io::Snapshot> usable_checkpoint(const fs::path& path,
+                                              const std::function<bool(const Scene&)>& belongs,
+                                              const std::function<void(const std::string&)>& note) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
   try {
     io::Snapshot saved = io::read_snapshot(path);
-    const std::string reason = obstacle(saved, scene);
+    const std::string reason = obstacle(saved, belongs);
     if (reason.empty()) return saved;
     note(fmt::format("{} {}: passed over", path.string(), reason));
   } catch (const InputError& error) {

@@ -21,6 +21,11 @@ std::filesystem::path snapshot_path(const std::filesystem::path& directory, long
 std::optional<io::Snapshot> usable_checkpoint(const std::filesystem::path& path, const Scene& scene,
                                               const std::function<void(const std::string&)>& note);
 
+/// The same where `belongs` tells of a saved scene whether its state may be used.
+std::optional<io::Snapshot> usable_checkpoint(const std::filesystem::path& path,
+                                              const std::function<bool(const Scene&)>& belongs,
+                                              const std::function<void(const std::string&)>& note);
+
 /// Installs checkpoint.hdf5 and keeps the former one as checkpoint_previous.hdf5. One of the two is
 /// whole at every instant, since the former one is renamed after the new one is on the disk.
 void install_checkpoint(const std::filesystem::path& directory, const io::Snapshot& checkpoint);

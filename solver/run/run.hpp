@@ -77,6 +77,7 @@ using LookAnswer = std::variant<GoOn, Soften, Fly, End>;
 /// What the caller wants from a run besides its final state.
 struct RunOptions {
   std::filesystem::path directory;  ///< folder for checkpoints, snapshots and the final state
+  std::filesystem::path bodies;     ///< folder of bodies shared with other runs; empty: none
   int threads = 1;
   long max_steps = 0;  ///< most steps of this process, rounded up to whole cycles; 0: no limit
   /// The most steps of settling bodies in this process; 0: as many as they need.

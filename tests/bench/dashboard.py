@@ -1,5 +1,5 @@
-"""What the dashboard costs: the first views of a database of 100,000 jobs, and fifty pages that look
-on while a campaign works. Usage: dashboard.py EERIE [JOBS]. Needs Chromium (tests/e2e/browser)."""
+"""What the dashboard costs: the first views of a database of 100,000 jobs, a picture of 100,000
+particles, and fifty pages that look on while a campaign works. Usage: dashboard.py EERIE [JOBS]. Needs Chromium (tests/e2e/browser)."""
 
 import asyncio
 import json
@@ -90,8 +90,40 @@ def first_views(eerie, folder):
             spent = page.js("""return Math.max(...performance.getEntriesByType('resource')
                 .filter(e => e.name.includes('/api/') && !e.name.includes('events')).map(e => e.responseEnd)) - from""")
             print(f"{path} in the browser: data there after {spent:.0f} ms")
+        pictures(page)
     process.terminate()
     process.wait()
+
+
+def pictures(page, particles=100_000, turns=60):
+    """The page's own share of a picture is its script, which every machine has to run; the rest is
+    the drawing, here without a GPU."""
+    own, whole = page.js("""
+        const [n, turns] = arguments;
+        return import('/page/points.js').then(({Points}) => {
+          const canvas = document.createElement('canvas');
+          canvas.style.cssText = 'width: 900px; height: 600px';
+          document.body.append(canvas);
+          const points = new Points(canvas, new AbortController().signal), gl = points.renderer.getContext();
+          points.positions(new Float32Array(3 * n).map(() => 2 * Math.random() - 1), 0.01);
+          points.colours(new Uint8Array(4 * n).fill(200));
+          points.fit();
+          const one = new Uint8Array(4), own = [], whole = [];
+          for (let k = 0; k < turns; ++k) {
+            const from = performance.now();
+            points.rotate(0.02, 0.01);
+            points.draw();
+            own.push(performance.now() - from);
+            gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, one);  // waits for the drawing
+            whole.push(performance.now() - from);
+          }
+          points.dispose();
+          canvas.remove();
+          const median = (times) => times.sort((a, b) => a - b)[turns / 2];
+          return [median(own), median(whole)];
+        });""", particles, turns)
+    print(f"a picture of {particles} particles: {own:.2f} ms of the page's own, {whole:.0f} ms with the "
+          "drawing by the processor")
 
 
 async def page_that_looks_on(host, port, until, asked):

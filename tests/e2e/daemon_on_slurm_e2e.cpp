@@ -56,9 +56,8 @@ TEST(DaemonOnSlurm, FinishesEveryJobOnceThoughANodeFailsAndItIsKilled) {
   EXPECT_EQ(campaign.number("SELECT count(*) FROM jobs WHERE state = 'done'"), count);
   EXPECT_EQ(campaign.number("SELECT count(*) FROM attempts WHERE worker LIKE 'slurm %'"), count);
   int ran_to_their_ends = 0;
-  for (const auto& job : fs::directory_iterator(jobs)) {
-    if (job.path().filename() == "batches") continue;
-    const std::string log = read_file(job.path() / "log.txt");
+  for (const fs::path& job : test::job_directories_in(jobs)) {
+    const std::string log = read_file(job / "log.txt");
     const std::size_t first = log.find(" info done: ");
     EXPECT_NE(first, std::string::npos) << log;
     EXPECT_EQ(log.find(" info done: ", first + 1), std::string::npos) << log;

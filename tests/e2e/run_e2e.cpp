@@ -74,6 +74,20 @@ TEST_F(Run, DoesOnlyWhatAnEarlierSweepLeftOut) {
   EXPECT_EQ(test::job_directories(folder / "eerie.sqlite").size(), 3u);
 }
 
+TEST_F(Run, MakesTheBodiesOfAGridOnce) {
+  test::write_sweep(folder.path(), 300, four_points);
+  ASSERT_EQ(eerie({"run", "sweep.json", "--workers", "1"}).code, 0);
+  int bodies = 0, taken = 0;
+  for ([[maybe_unused]] const auto& entry :
+       fs::directory_iterator(folder / "eerie.sqlite.jobs/bodies"))
+    ++bodies;
+  for (const fs::path& job : test::job_directories(folder / "eerie.sqlite"))
+    if (read_file(job / "log.txt").find("taken at rest") != std::string::npos) ++taken;
+  EXPECT_EQ(bodies, 2);
+  EXPECT_EQ(taken, 3);
+  EXPECT_EQ(eerie({"doctor"}).code, 0);
+}
+
 TEST_F(Run, RefusesMalformedSweepsWithoutWritingAnything) {
   int tried = 0;
   for (const test::MalformedSweep& sweep : test::malformed_sweeps()) {

@@ -31,6 +31,17 @@ StabilityLimit stability_limit(double a, double b, double c, double mu_d) {
   return limit;
 }
 
+double lowest_standing(double mu_d) {
+  // A body near to a sphere stands, a needle does not, and there is one limit between them.
+  double falls = 0.001, stands = 1;
+  while (stands - falls > 0.001) {
+    const double ratio = (falls + stands) / 2;
+    const StabilityLimit limit = stability_limit(1, ratio, ratio, mu_d);
+    (limit.stands && limit.slowest == 0 ? stands : falls) = ratio;
+  }
+  return stands;
+}
+
 Figure3 figure_of(const Scene& scene, const particles::State& state) {
   const shapes::Shape shape = shapes::ellipsoid_of_inertia(state.x);
   const auto spin = shapes::angular_velocity(state.x, state.v);

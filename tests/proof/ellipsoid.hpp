@@ -17,6 +17,9 @@ struct StabilityLimit {
 };
 StabilityLimit stability_limit(double a, double b, double c, double mu_d);
 
+/// The smallest b/a = c/a, to 0.001, at which such an ellipsoid stands without spin.
+double lowest_standing(double mu_d);
+
 /// Ratio of the axes of a body's equal-inertia ellipsoid, and the spin W about its shortest axis.
 struct Figure3 {
   double b_over_a, c_over_a, a, W;

@@ -129,13 +129,20 @@ long processor_ticks(pid_t pid) {
   return sum;
 }
 
-std::vector<fs::path> job_directories(const fs::path& database) {
+std::vector<fs::path> job_directories_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(database.string() + ".jobs", none))
-    if (entry.is_directory() && entry.path().filename() != "batches") found.push_back(entry.path());
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const fs::path name = entry.path().filename();
+    if (entry.is_directory() && name != "batches" && name != "bodies")
+      found.push_back(entry.path());
+  }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+std::vector<fs::path> job_directories(const fs::path& database) {
+  return job_directories_in(database.string() + ".jobs");
 }
 
 }  // namespace eerie::test

@@ -59,7 +59,8 @@ void write_slow_sweep(const std::filesystem::path& folder, const std::string& gr
 /// Processor time that a process has used, in hundredths of a second.
 long processor_ticks(pid_t pid);
 
-/// The job directories of a database, in order of their names.
+/// The job directories in a folder or of a database, in order of their names.
+std::vector<std::filesystem::path> job_directories_in(const std::filesystem::path& folder);
 std::vector<std::filesystem::path> job_directories(const std::filesystem::path& database);
 
 }  // namespace eerie::test

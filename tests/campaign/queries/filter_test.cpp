@@ -77,12 +77,16 @@ TEST_F(Filtered, EveryViewByTheSameOptions) {
   EXPECT_EQ(count(db::View::remnants, sketch), 0u);
   EXPECT_EQ(count(db::View::remnants, where("class=perfect*")), 2u);
   EXPECT_EQ(count(db::View::results, where("solver_version=0.1.0")), 2u);
+  EXPECT_EQ(count(db::View::results, where("eer=true")), 1u);
+  EXPECT_EQ(count(db::View::results, where("eer=1")), 1u);
+  EXPECT_EQ(count(db::View::results, where("eer=false")), 1u);
 }
 
 TEST_F(Filtered, SaysWhatIsWrongWithAFilter) {
   using db::View;
   EXPECT_THAT(refusal(View::results, where("b_ovr_a=0:1")), HasSubstr("the closest are b_over_a"));
   EXPECT_THAT(refusal(View::results, where("b_over_a=low")), HasSubstr("b_over_a is a number"));
+  EXPECT_THAT(refusal(View::results, where("eer=maybe")), HasSubstr("give eer=true, eer=false"));
   Filter a;
   a.outcome_class = "explosion";
   EXPECT_THAT(refusal(View::results, a), HasSubstr("must be one of perfect-merging"));
