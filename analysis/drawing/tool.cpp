@@ -73,8 +73,10 @@ int spawn_and_wait(const Tool& tool, std::vector<std::string> words, int in, int
 ToolEnd run_tool(const Tool& tool, const std::vector<std::string>& arguments,
                  std::string_view input, const std::filesystem::path& output) {
   const File in = nameless(), err = nameless();
-  if (std::fwrite(input.data(), 1, input.size(), in.get()) != input.size() ||
-      std::fflush(in.get()) != 0)
+  // Of an empty text data() may be null, which fwrite() does not take.
+  const bool is_written =
+      input.empty() || std::fwrite(input.data(), 1, input.size(), in.get()) == input.size();
+  if (!is_written || std::fflush(in.get()) != 0)
     throw EnvironmentError(
         fmt::format("cannot write the input of {}: {}", tool.program, std::strerror(errno)));
   std::rewind(in.get());

@@ -47,9 +47,7 @@ TEST_F(Run, EndsWithATableAndAMapAndHasNothingLeftToDoAfterwards) {
   EXPECT_THAT(read_file(folder / "eerie-small-b-over-a.png"), testing::StartsWith("\x89PNG"));
   EXPECT_THAT(read_file(folder / "eerie-small-b-over-a.svg"), HasSubstr("<svg"));
 
-  const auto start = std::chrono::steady_clock::now();
   const Ended second = eerie({"run", "sweep.json"});
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
   EXPECT_EQ(second.code, 0);
   EXPECT_THAT(second.out, HasSubstr("nothing left to do"));
   EXPECT_EQ(table_of(second.out), table_of(first.out));

@@ -184,7 +184,7 @@ TEST_F(SiteOfADatabase, NamesAParameterThatItDoesNotKnowOrThatIsGivenTwice) {
   }
   EXPECT_THAT(site.answer("/api/jobs", {{"limit", "1"}, {"limit", "2"}}).body,
               HasSubstr("limit: is given twice"));
-  EXPECT_EQ(get("/api/jobs", {{"where", "seed=1"}, {"where", "b_over_a=0:0.3"}})["total"], 3);
+  EXPECT_EQ(get("/api/jobs", {{"where", "seed=1"}, {"where", "b_over_a=0:0.305"}})["total"], 3);
   EXPECT_EQ(site.answer("/map", {{"quantity", "class"}, {"q", "1"}}).status, 200)
       << "what the page itself keeps in its address";
 }

