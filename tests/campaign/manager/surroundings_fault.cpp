@@ -10,6 +10,7 @@
 
 #include "solver/base/free_space.hpp"
 #include "tests/support/disturbed_campaign.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace eerie::manager {
 namespace {
@@ -101,9 +102,8 @@ TEST(AFullDisk, KeepsNoDaemonFromEndingWhenTold) {
 }
 
 TEST(Clocks, ThatJumpChangeNothing) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "a sanitizer must be loaded first, and so must libfaketime";
-#endif
+  if (test::is_sanitized)
+    GTEST_SKIP() << "a sanitizer must be loaded first, and so must libfaketime";
   const fs::path library = "/usr/lib/x86_64-linux-gnu/faketime/libfaketime.so.1";
   if (!fs::exists(library)) GTEST_SKIP() << "libfaketime is not installed";
   const test::TemporaryFolder folder;
