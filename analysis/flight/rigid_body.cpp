@@ -25,12 +25,6 @@ Mat3 rotation(const Vec3& angle) {
            {c * n.x * n.z - s * n.y, c * n.y * n.z + s * n.x, 1 - c * (n.x * n.x + n.y * n.y)}}};
 }
 
-/// R s R^T.
-SymTensor turned(const SymTensor& s, const Mat3& r) {
-  const Mat3 t = r * to_matrix(s) * transpose(r);
-  return {t[0][0], t[1][1], t[2][2], t[0][1], t[0][2], t[1][2]};
-}
-
 /// I^-1 L without a part about axes that have no inertia.
 Vec3 spin(const SymTensor& I, const Vec3& L) {
   Eigen::Matrix3d inertia;
@@ -84,7 +78,7 @@ bool is_near(const Vec3& place, const RigidBody& body, double contact) {
 
 }  // namespace
 
-Vec3 RigidBody::angular_velocity() const { return spin(flight::turned(inertia, turned), L); }
+Vec3 RigidBody::angular_velocity() const { return spin(eerie::turned(inertia, turned), L); }
 
 void RigidBody::drift(double duration) {
   x += duration * v;

@@ -1,16 +1,12 @@
 #include "analysis/light_curve/turning_remnant.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analysis/remnants/clumps.hpp"
 #include "analysis/remnants/remnants.hpp"
 #include "analysis/shapes/hull.hpp"
 #include "solver/base/constants.hpp"
-#include "solver/base/error.hpp"
 
 namespace eerie::light_curve {
 using nlohmann::json;
@@ -18,17 +14,8 @@ using nlohmann::json;
 TurningRemnant remnant_of(const io::Snapshot& snapshot, int rank,
                           const std::filesystem::path& path) {
   const particles::State& state = snapshot.state;
-  const auto clumps =
-      remnants::friends_of_friends(state.x, state.id, remnants::linking_length_over_h * state.h);
-  const auto remnants = std::ranges::count_if(clumps, [](const remnants::Clump& clump) {
-    return clump.size() >= remnants::remnant_min_particles;
-  });
-  if (rank > remnants)
-    throw InputError(fmt::format("--remnant {}: {} holds {} remnant{} of at least {} particles",
-                                 rank, path.string(), remnants, remnants == 1 ? "" : "s",
-                                 remnants::remnant_min_particles));
   std::vector<Vec3> x, v;
-  for (const std::uint32_t i : clumps[static_cast<std::size_t>(rank - 1)])
+  for (const std::uint32_t i : remnants::clump_of_rank(state, rank, path))
     x.push_back(state.x[i]), v.push_back(state.v[i]);
   TurningRemnant seen{spinning_body(x, shapes::particle_radius(snapshot)), {}, {}};
   if (const auto omega = shapes::angular_velocity(x, v); omega && norm(*omega) > 0) {

@@ -1,11 +1,14 @@
 #include "analysis/remnants/remnants.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/remnants/binding.hpp"
 #include "analysis/remnants/clumps.hpp"
 #include "solver/base/constants.hpp"
+#include "solver/base/error.hpp"
 
 namespace eerie::remnants {
 
@@ -82,6 +85,18 @@ Remnants find_remnants(const particles::State& state) {
   }
   found.debris.assign(points.begin() + static_cast<std::ptrdiff_t>(cores), points.end());
   return found;
+}
+
+Clump clump_of_rank(const particles::State& state, int rank, const std::filesystem::path& path) {
+  std::vector<Clump> clumps =
+      friends_of_friends(state.x, state.id, linking_length_over_h * state.h);
+  const auto remnants = std::ranges::count_if(
+      clumps, [](const Clump& clump) { return clump.size() >= remnant_min_particles; });
+  if (rank > remnants)
+    throw InputError(fmt::format("--remnant {}: {} holds {} remnant{} of at least {} particles",
+                                 rank, path.string(), remnants, remnants == 1 ? "" : "s",
+                                 remnant_min_particles));
+  return std::move(clumps[static_cast<std::size_t>(rank - 1)]);
 }
 
 }  // namespace eerie::remnants

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
+#include "analysis/remnants/clumps.hpp"
 #include "analysis/remnants/orbit.hpp"
 #include "analysis/shapes/shape.hpp"
 #include "solver/base/vec3.hpp"
@@ -45,5 +47,9 @@ struct Remnants {
 /// Finds clumps by friends-of-friends, then bound groups, then the shape and spin of every remnant.
 /// Sums run in the order of particle ids, so the result has the same bits for any memory order.
 Remnants find_remnants(const particles::State& state);
+
+/// The particles of the remnant of this rank, from 1 on. Throws InputError, which names the
+/// snapshot's `path`, where there are fewer.
+Clump clump_of_rank(const particles::State& state, int rank, const std::filesystem::path& path);
 
 }  // namespace eerie::remnants

@@ -100,6 +100,10 @@ constexpr Command commands[] = {
      "  eerie lightcurve impact/final.hdf5 --remnant 2 --json\n"
      "  eerie lightcurve 3f9a20c1 --aspect 70 -o lightcurve.svg",
      add_lightcurve},
+    {"remnant", "Keep a remnant as a body for another impact",
+     "  eerie remnant 3f9a20c1 -o egg.hdf5\n"
+     "  eerie remnant impact --remnant 2 -o shard.hdf5 --json",
+     add_remnant},
     {"log", "Print the log of a job", "  eerie log 3f9a20c1\n  eerie log 3f9a20c1 -f", add_log},
     {"doctor", "Look for damage: database, job directories, disk, versions",
      "  eerie doctor\n"

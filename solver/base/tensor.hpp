@@ -104,6 +104,12 @@ constexpr Mat3 transpose(const Mat3& a) {
   return {{{a[0][0], a[1][0], a[2][0]}, {a[0][1], a[1][1], a[2][1]}, {a[0][2], a[1][2], a[2][2]}}};
 }
 
+/// The tensor in axes that a rotation r turns: r s r^T.
+constexpr SymTensor turned(const SymTensor& s, const Mat3& r) {
+  const Mat3 t = r * to_matrix(s) * transpose(r);
+  return {t[0][0], t[1][1], t[2][2], t[0][1], t[0][2], t[1][2]};
+}
+
 template <class T>
 constexpr T determinant(const SymTensorOf<T>& s) {
   return s.xx * (s.yy * s.zz - s.yz * s.yz) - s.xy * (s.xy * s.zz - s.yz * s.xz) +

@@ -13,6 +13,7 @@
 #include "solver/base/version.hpp"
 #include "solver/initial/orbit.hpp"
 #include "solver/initial/packing.hpp"
+#include "solver/initial/remnant_body.hpp"
 #include "solver/scene/body_shape.hpp"
 #include "solver/step/solver.hpp"
 
@@ -48,6 +49,12 @@ BodyShape shape_of(const Scene& scene, particles::Body body) {
 void turn(particles::State& s, const Vec3& omega) {
   if (norm2(omega) == 0) return;
   for (std::size_t i = 0; i < s.size(); ++i) s.v[i] += cross(omega, s.x[i]);
+}
+
+void stop_drift(particles::State& s) {
+  Vec3 mean;
+  for (const Vec3& v : s.v) mean += v;
+  for (Vec3& v : s.v) v -= mean / static_cast<double>(s.size());
 }
 
 using Stop = std::function<bool()>;
@@ -127,6 +134,7 @@ void append(particles::State& all, const particles::State& body, const Vec3& x, 
 
 /// Points of a packing with the density of equilibrium, before they settle.
 particles::State unsettled_body(const Scene& scene, particles::Body body, const Stop& stop = {}) {
+  if (is_remnant(scene, body)) return remnant_body(scene);
   const long n = body == particles::Body::target ? scene.numerics.particles_per_target
                                                  : impactor_particles(scene);
   return at_rest(scene, body, static_cast<std::size_t>(n), stop);
@@ -148,7 +156,7 @@ std::string body_hash(const Scene& scene, particles::Body body) {
     only.impact.q = 1;
     only.impactor = {at_rest, sphere};
   } else {
-    only.target.spin = at_rest, only.target.shape = sphere;
+    only.target.spin = at_rest, only.target.shape = sphere, only.target.remnant = {};
   }
   return sha256_hex(
       fmt::format("{} {} {} {}", name_of(body), scene_hash(only), solver_version, vector_variant));
@@ -166,6 +174,7 @@ Settling::Settling(const Scene& scene, particles::Body body, step::Solver begun)
       solver_(std::move(begun)) {}
 
 bool Settling::is_at_rest() const {
+  if (is_remnant(scene_, body_)) return true;  // in itself, that is; it may turn
   // At least a few damping times: at the very start nothing has moved yet.
   if (solver_.state().time < 10 * crossing_) return false;
   const double v_esc = escape_speed({radius_, scene_.material.rho0_kg_per_m3});
@@ -191,9 +200,13 @@ particles::State Settling::body() const {
   Vec3 centre;
   for (const Vec3& x : s.x) centre += x;
   for (Vec3& x : s.x) x -= centre / static_cast<double>(s.size());
-  require_kept(s, shape_of(scene_, body_), name_of(body_));
-  for (Vec3& v : s.v) v = {};
-  turn(s, omega_);
+  if (is_remnant(scene_, body_)) {
+    stop_drift(s);
+  } else {
+    require_kept(s, shape_of(scene_, body_), name_of(body_));
+    for (Vec3& v : s.v) v = {};
+    turn(s, omega_);
+  }
   for (auto* heat : {&s.u, &s.viscous_heat, &s.shear_work})
     std::fill(heat->begin(), heat->end(), 0.0);
   s.time = 0;

@@ -4,6 +4,7 @@
 
 #include "solver/initial/bodies.hpp"
 #include "solver/initial/packing.hpp"
+#include "solver/initial/remnant_body.hpp"
 #include "solver/run/checkpoints.hpp"
 #include "solver/run/kept_bodies.hpp"
 
@@ -82,7 +83,9 @@ class Begin {
   /// Nothing where it was stopped before there was anything to keep.
   std::optional<initial::Settling> settled(Body body) {
     std::optional<initial::Settling> settling;
-    if (auto kept = kept_.find(scene_, body)) {
+    // A remnant is a file already.
+    const bool is_shared = kept_.keeps() && !initial::is_remnant(scene_, body);
+    if (auto kept = is_shared ? kept_.find(scene_, body) : std::nullopt) {
       settling.emplace(scene_, body, solver_from(*std::move(kept)));
       return settling;
     }
@@ -96,7 +99,7 @@ class Begin {
       settling->cycle();
       steps_ += settling->solver().state().step - before;
     }
-    if (!end_ && kept_.keeps()) {
+    if (!end_ && is_shared) {
       keep(body, *settling);
       kept_.keep(scene_, body, file_of(body));
     }

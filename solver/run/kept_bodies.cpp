@@ -15,7 +15,6 @@ KeptBodies::KeptBodies(fs::path folder, Note note)
     : folder_(std::move(folder)), note_(std::move(note)) {}
 
 std::optional<io::Snapshot> KeptBodies::find(const Scene& scene, particles::Body body) const {
-  if (!keeps()) return std::nullopt;
   const std::string wanted = initial::body_hash(scene, body);
   const fs::path file = file_of(scene, body);
   auto kept = usable_checkpoint(

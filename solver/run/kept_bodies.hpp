@@ -21,8 +21,8 @@ class KeptBodies {
   /// An empty path keeps nothing. The folder is made when there is something to keep.
   KeptBodies(std::filesystem::path folder, Note note);
 
-  /// The solver's state of a body at rest; nothing where there is none. A file that is damaged,
-  /// or that belongs to another body, is passed over with a note.
+  /// The solver's state of a body at rest; nothing where there is none. To ask where keeps(). A
+  /// file that is damaged, or that belongs to another body, is passed over with a note.
   std::optional<io::Snapshot> find(const Scene& scene, particles::Body body) const;
 
   /// Moves a checkpoint of a body that has come to rest into the folder. A run writes it in its own

@@ -8,8 +8,8 @@
 namespace eerie {
 
 /// Sentences about settings of a valid scene that lie beyond the safe range of a method
-/// (docs/notebook/stability.md). Each names the field, its value, what happens there and the mend. A sound
-/// scene gives none.
+/// (docs/notebook/stability.md). Each names the field, its value, what happens there and the mend.
+/// A sound scene gives none.
 std::vector<std::string> warnings(const Scene& scene);
 
 }  // namespace eerie

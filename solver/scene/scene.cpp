@@ -40,6 +40,8 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/target/shape/b_over_a", s.target.shape.b_over_a);
   visit("/target/shape/c_over_a", s.target.shape.c_over_a);
   visit("/target/shape/turn_deg", s.target.shape.turn_deg);
+  visit("/target/remnant/file", s.target.remnant.file);
+  visit("/target/remnant/sha256", s.target.remnant.sha256);
   visit("/impactor/spin/period_h", s.impactor.spin.period_h);
   visit("/impactor/spin/tilt_deg", s.impactor.spin.tilt_deg);
   visit("/impactor/spin/node_deg", s.impactor.spin.node_deg);
@@ -137,6 +139,19 @@ void require_shape(const Scene::Shape& shape, const std::string& field) {
                   field, shape.c_over_a, shape.b_over_a));
 }
 
+void require_whole_remnant(const Scene::Target& target, const std::string& field) {
+  const Scene::Remnant& from = target.remnant;
+  if (from.file.empty() && from.sha256.empty()) return;
+  if (from.file.empty() || from.sha256.size() != 64)
+    throw InputError(fmt::format(
+        "{}.remnant: file and sha256 go together; `eerie remnant` prints both, and what else the "
+        "scene needs",
+        field));
+  if (target.spin.period_h != 0)
+    throw InputError(fmt::format("{}.spin.period_h = {:g}: a remnant spins as it did; set it to 0",
+                                 field, target.spin.period_h));
+}
+
 /// What no single field's range can say.
 void require_consistent(const Scene& scene, const std::string& where) {
   const Scene::Material& m = scene.material;
@@ -182,6 +197,7 @@ void require_consistent(const Scene& scene, const std::string& where) {
                     where));
   require_shape(scene.target.shape, where + ".target.shape");
   require_shape(scene.impactor.shape, where + ".impactor.shape");
+  require_whole_remnant(scene.target, where + ".target");
   require_standing(scene, where);
   const std::vector<Scene::Wall>& walls = scene.environment.walls;
   for (std::size_t a = 0; a < walls.size(); ++a)
@@ -288,6 +304,7 @@ void leave_out_younger_fields(json& numerics) {
 
 /// A sphere has no axes; tilt and node are those of an ellipsoid, or of a spin.
 void leave_out_of_body(json& body, const BodyShape& shape, const Scene::Spin& spin) {
+  if (body.contains("remnant") && body["remnant"]["file"] == "") body.erase("remnant");
   if (!shape.is_sphere()) return;
   body.erase("shape");
   if (spin.period_h == 0) body.erase("spin");
@@ -317,6 +334,8 @@ std::string scene_hash(const Scene& scene) { return canonical_hash(to_json(scene
 
 std::string canonical_hash(json canonical) {
   canonical.erase("output");
+  // The same body wherever its file lies.
+  if (canonical["target"].contains("remnant")) canonical["target"]["remnant"].erase("file");
   // Younger than the first results: where they are off, a scene keeps the name it had before.
   if (canonical["numerics"]["late_sound_speed"] == 1)
     canonical["numerics"].erase("late_sound_speed");

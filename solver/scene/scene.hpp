@@ -32,10 +32,17 @@ struct Scene {
     double turn_deg;  ///< of the longest axis about the shortest; 0: where that one is tilted to
   };
 
+  /// A body that another impact left, in a file that `eerie remnant` wrote.
+  struct Remnant {
+    std::string file;    ///< empty: the body is made
+    std::string sha256;  ///< of the file; identifies the body wherever the file lies
+  };
+
   struct Target {
     double radius_m;  ///< of the sphere of its volume
     Spin spin;
     Shape shape;
+    Remnant remnant;
   } target;
 
   struct Impactor {

@@ -24,7 +24,8 @@ const std::map<std::string, Rooms> allowed = {
     {"solver/step",
      {"solver/scene", "solver/material", "solver/particles", "solver/tree", "solver/sph",
       "solver/io"}},
-    {"solver/initial", {"solver/scene", "solver/material", "solver/particles", "solver/step"}},
+    {"solver/initial",
+     {"solver/scene", "solver/material", "solver/particles", "solver/io", "solver/step"}},
     {"solver/run",
      {"solver/scene", "solver/particles", "solver/io", "solver/step", "solver/initial"}},
 

@@ -7,11 +7,6 @@
 namespace eerie {
 namespace {
 
-SymTensor turned(const SymTensor& s, const Mat3& R) {
-  const Mat3 m = R * to_matrix(s) * transpose(R);
-  return {m[0][0], m[1][1], m[2][2], m[0][1], m[0][2], m[1][2]};
-}
-
 TEST(Principal, OfADiagonalTensorIsItsLargestEntry) {
   EXPECT_DOUBLE_EQ(largest_principal({-3, 2, 1, 0, 0, 0}), 2);
   EXPECT_DOUBLE_EQ(largest_principal({-3, -2, -1, 0, 0, 0}), -1);

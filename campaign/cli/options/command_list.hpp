@@ -14,7 +14,7 @@ AddCommand add_daemon, add_submit, add_pause, add_resume, add_cancel, add_retry,
 AddCommand add_status, add_serve, add_log, add_show, add_query, add_catalogue, add_sizes,
     add_doctor;
 AddCommand add_converge, add_chart, add_threshold, add_check, add_odds, add_disk, add_lightcurve,
-    add_map;
+    add_map, add_remnant;
 AddCommand add_init, add_help, add_manual, add_fidelities, add_merge, add_compare;
 AddCommand add_worker, add_slurm_task;  // hidden
 
