@@ -13,7 +13,12 @@ namespace {
 /// The particles of a clump in the order of their ids, with ids of their own.
 particles::State members(const particles::State& all, const Clump& clump) {
   particles::State s = all;
-  particles::visit_state(s, [&](const char*, auto& array) { particles::permute(array, clump); });
+  particles::visit_state(s, [&](const char*, auto& array) {
+    std::decay_t<decltype(array)> picked;
+    picked.reserve(clump.size());
+    for (const std::uint32_t i : clump) picked.push_back(array[i]);
+    array = std::move(picked);
+  });
   for (std::uint32_t i = 0; i < s.size(); ++i) s.id[i] = i;
   std::ranges::fill(s.body, static_cast<std::uint8_t>(particles::Body::target));
   s.time = 0, s.step = 0, s.softening = {};

@@ -29,7 +29,7 @@ class SecondImpact : public testing::Test {
     ASSERT_EQ(kept.code, 0) << kept.err;
     report = json::parse(kept.out);
     second = report["scene"];
-    second["impact"] = {{"q", 0.5}, {"separation", 2}, {"v_imp_cm_per_s", 15}};
+    second["impact"] = {{"q", 0.5}, {"separation", 3}, {"v_imp_cm_per_s", 15}};
     second["end"] = {{"time_s", 500}};
   }
   Ended eerie(const std::vector<std::string>& arguments) {
@@ -78,10 +78,11 @@ TEST_F(SecondImpact, IsTheSameJobWhereverTheFileLies) {
 }
 
 TEST_F(SecondImpact, RefusesWhatDoesNotFit) {
+  int refused = 0;
   const auto refusal = [&](const json& change) {
     json scene = second;
     scene.merge_patch(change);
-    const Ended ended = solve(scene, "refused");
+    const Ended ended = solve(scene, "refused-" + std::to_string(++refused));
     EXPECT_EQ(ended.code, 2) << change;
     return ended.err;
   };

@@ -210,7 +210,9 @@ TEST_F(Hostile, TenThousandRequestsNeitherCrashNorWriteNorStay) {
   const std::size_t files = open_files();
   attackers(1250);
   EXPECT_GE(refused + cut, 10'000);
-  if (!test::is_sanitized) EXPECT_LT(resident_kB() - resident, 64 * 1024) << "kB";
+  if (!test::is_sanitized) {
+    EXPECT_LT(resident_kB() - resident, 64 * 1024) << "kB";
+  }
   EXPECT_LE(open_files(), files + 16);
   httplib::Client client("127.0.0.1", dashboard.port());
   const auto answer = client.Get("/api/campaign");
