@@ -93,6 +93,7 @@ class EveryCommand : public testing::Test {
             {"status", "--db", "impacts.sqlite"},
             {"show", job, "--db", "run.sqlite"},
             {"lightcurve", "impact/final.hdf5"},
+            {"remnant", "impact", "-o", "egg.hdf5"},
             {"log", job, "--db", "run.sqlite"},
             {"doctor", "--db", "run.sqlite"},
             {"merge", "merged.sqlite", "impacts.sqlite"},
