@@ -17,11 +17,12 @@ double exponent(const RunOut& a, const RunOut& b) {
 TEST(GranularColumnLong, RunOutFollowsTheScalingLawsOfExperiments) {
   Record record(
       "validation", 51, "Run-out of granular columns",
-      "Columns of aspect ratio a = H0/L0 collapse in plane strain on a rough floor. phi_d = 27.2 "
-      "deg: in plane strain mu_d is the sine of Mohr and Coulomb's angle, 31 deg, that of the sand "
-      "of Lube et al. (2005). Run-out dL/L0 of what is two particles high, which is the least that "
-      "has a surface and an inside, and of the furthest connected grain, against 1.2 a and 1.9 "
-      "a^(2/3) (Lube et al. 2005) and 1.8 a and 2.3 a^(2/3) (Lajeunesse et al. 2005).");
+      "Columns of aspect ratio a = H0/L0 collapse in plane strain on a rough floor. phi_d = "
+      "27.2 deg: in plane strain mu_d is the sine of Mohr and Coulomb's angle, 31 deg, that of "
+      "the sand of Lube et al. (2005). Run-out dL/L0 is that of what is two particles high, the "
+      "least that has a surface and an inside, and that of the furthest connected grain. Laws "
+      "of experiments: 1.2 a and 1.9 a^(2/3) (Lube et al. 2005), 1.8 a and 2.3 a^(2/3) "
+      "(Lajeunesse et al. 2005).");
   Curve tip{"furthest grain", {}, {}, "points pt 7 ps 0.6"},
       front{"two particles high", {}, {}, "points pt 6 ps 0.6"};
   std::vector<RunOut> runs;
