@@ -34,6 +34,7 @@ std::vector<std::string> split(const std::string& text, char at) {
 [[noreturn]] void refuse_column(const std::string& option, const std::string& column, db::View view,
                                 const std::vector<db::ViewColumn>& known) {
   std::vector<std::string> names;
+  names.reserve(known.size());
   for (const db::ViewColumn& one : known) names.push_back(one.name);
   throw InputError(fmt::format("{}: the view {} has no column \"{}\"; the closest are {}", option,
                                db::name(db::view_names, view), column,
@@ -165,6 +166,7 @@ db::ViewQuery filtered(const db::Connection& connection, db::View view, const Fi
   if (!a.outcome_class.empty()) {
     if (!remnants::outcome_named(a.outcome_class)) {
       std::vector<std::string_view> names;
+      names.reserve(std::size(remnants::outcome_names));
       for (const remnants::OutcomeName& entry : remnants::outcome_names)
         names.push_back(entry.name);
       throw InputError(
