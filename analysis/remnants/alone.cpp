@@ -4,6 +4,7 @@
 
 #include "analysis/remnants/clumps.hpp"
 #include "analysis/remnants/remnants.hpp"
+#include "solver/base/mean.hpp"
 #include "solver/base/tensor.hpp"
 
 namespace eerie::remnants {
@@ -25,12 +26,6 @@ particles::State members(const particles::State& all, const Clump& clump) {
   return s;
 }
 
-Vec3 mean(const std::vector<Vec3>& vectors) {
-  Vec3 sum;
-  for (const Vec3& one : vectors) sum += one;
-  return sum / static_cast<double>(vectors.size());
-}
-
 /// The rotation that turns the axes of a shape to those of space. Of the two that do, the one
 /// after which the spin points up.
 Mat3 upright(const shapes::Shape& shape, const particles::State& s) {
@@ -47,8 +42,7 @@ Alone alone(const io::Snapshot& from, int rank, const std::filesystem::path& pat
   Alone found{{from.scene, members(from.state, clump), {}, {}, {}}, {}};
   for (const std::uint32_t i : clump) found.snapshot.pressure.push_back(from.pressure.at(i));
   particles::State& s = found.snapshot.state;
-  const Vec3 x = mean(s.x), v = mean(s.v);
-  for (std::size_t i = 0; i < s.size(); ++i) s.x[i] -= x, s.v[i] -= v;
+  take_off_mean(s.x), take_off_mean(s.v);
   const Mat3 turn = upright(shapes::ellipsoid_of_inertia(s.x), s);
   for (std::size_t i = 0; i < s.size(); ++i) {
     s.x[i] = turn * s.x[i], s.v[i] = turn * s.v[i];

@@ -8,6 +8,7 @@
 #include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/mean.hpp"
 #include "solver/base/sha256.hpp"
 #include "solver/base/simd.hpp"
 #include "solver/base/version.hpp"
@@ -49,12 +50,6 @@ BodyShape shape_of(const Scene& scene, particles::Body body) {
 void turn(particles::State& s, const Vec3& omega) {
   if (norm2(omega) == 0) return;
   for (std::size_t i = 0; i < s.size(); ++i) s.v[i] += cross(omega, s.x[i]);
-}
-
-void stop_drift(particles::State& s) {
-  Vec3 mean;
-  for (const Vec3& v : s.v) mean += v;
-  for (Vec3& v : s.v) v -= mean / static_cast<double>(s.size());
 }
 
 using Stop = std::function<bool()>;
@@ -197,11 +192,9 @@ void Settling::cycle() {
 
 particles::State Settling::body() const {
   particles::State s = sorted_by_id(solver_.state());
-  Vec3 centre;
-  for (const Vec3& x : s.x) centre += x;
-  for (Vec3& x : s.x) x -= centre / static_cast<double>(s.size());
+  take_off_mean(s.x);
   if (is_remnant(scene_, body_)) {
-    stop_drift(s);
+    take_off_mean(s.v);
   } else {
     require_kept(s, shape_of(scene_, body_), name_of(body_));
     for (Vec3& v : s.v) v = {};

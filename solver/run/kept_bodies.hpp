@@ -12,8 +12,8 @@
 namespace eerie::run {
 
 /// Bodies at rest, kept in a folder for every run whose scene makes the same ones. To make two
-/// bodies takes a tenth of a run of 5,000 particles, and all impacts of a grid share theirs. A run
-/// has the same bits with and without the folder, which may be removed at any time.
+/// bodies takes an eighth of a run of 1,000 particles, and all impacts of a grid share theirs. A
+/// run has the same bits with and without the folder, which may be removed at any time.
 class KeptBodies {
  public:
   using Note = std::function<void(const std::string&)>;
@@ -33,7 +33,7 @@ class KeptBodies {
   bool keeps() const { return !folder_.empty(); }
 
  private:
-  std::filesystem::path file_of(const Scene& scene, particles::Body body) const;
+  std::filesystem::path file_of(particles::Body body, const std::string& hash) const;
 
   std::filesystem::path folder_;
   Note note_;

@@ -52,6 +52,18 @@ void add_database(CLI::App& app, std::filesystem::path& database) {
   app.add_option("--db", database, "database file")->capture_default_str();
 }
 
+void add_remnant_of_snapshot(CLI::App& app, std::string& job, std::filesystem::path& database,
+                             int& rank) {
+  app.add_option("JOB", job,
+                 "the first digits of the job's hash, a folder with snapshots (of both the last "
+                 "one is taken), or a snapshot (.hdf5)")
+      ->required();
+  add_database(app, database);
+  app.add_option("--remnant", rank, "by its rank in mass")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+}
+
 void add_changes(CLI::App& app, SceneChanges& changes) {
   app.add_option("--set", changes.overrides,
                  "override a field of the scene, PATH=VALUE; may be repeated")

@@ -29,6 +29,9 @@ void require_plain_numbers(CLI::App& app);
 // These options are shared by several commands.
 
 void add_database(CLI::App& app, std::filesystem::path& database);
+/// JOB, --db and --remnant: which remnant of which snapshot.
+void add_remnant_of_snapshot(CLI::App& app, std::string& job, std::filesystem::path& database,
+                             int& rank);
 using sweeps::SceneChanges;
 void add_changes(CLI::App& app, SceneChanges& changes);
 void add_share(CLI::App& app, int& workers, int& threads_per_job);

@@ -106,14 +106,7 @@ Answer show_light_curve(const LightCurveArguments& a) {
 
 Action add_lightcurve(CLI::App& app) {
   auto a = std::make_shared<LightCurveArguments>();
-  app.add_option("JOB", a->job,
-                 "the first digits of the job's hash, a folder with snapshots (of both the last "
-                 "one is taken), or a snapshot (.hdf5)")
-      ->required();
-  add_database(app, a->database);
-  app.add_option("--remnant", a->rank, "by its rank in mass")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
+  add_remnant_of_snapshot(app, a->job, a->database, a->rank);
   app.add_option("--aspect", a->aspect_deg,
                  "angle of the line of sight to the spin axis, deg; 90: equator-on")
       ->check(CLI::Range(0.0, 90.0))

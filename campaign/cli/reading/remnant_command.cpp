@@ -68,14 +68,7 @@ Answer keep_remnant(const RemnantArguments& a) {
 
 Action add_remnant(CLI::App& app) {
   auto a = std::make_shared<RemnantArguments>();
-  app.add_option("JOB", a->job,
-                 "the first digits of the job's hash, a folder with snapshots (of both the last "
-                 "one is taken), or a snapshot (.hdf5)")
-      ->required();
-  add_database(app, a->database);
-  app.add_option("--remnant", a->rank, "by its rank in mass")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
+  add_remnant_of_snapshot(app, a->job, a->database, a->rank);
   app.add_option("-o,--output", a->file, "file for the body (.hdf5)")->required();
   add_formats(app);
   return [a](Output&) { return keep_remnant(*a); };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/base/mean.hpp"
 #include "tests/analysis/remnants/bodies.hpp"
 
 namespace eerie::remnants {
@@ -26,12 +27,6 @@ io::Snapshot ball_and_cigar() {
          along.x * along.y, along.x * along.z, along.y * along.z};
   state.time = 3000, state.step = 17;
   return test::snapshot_of(state);
-}
-
-Vec3 mean(const std::vector<Vec3>& vectors) {
-  Vec3 sum;
-  for (const Vec3& one : vectors) sum += one;
-  return sum / static_cast<double>(vectors.size());
 }
 
 TEST(ARemnantAlone, LiesAlongTheAxesOfSpaceAndTurnsUpward) {
