@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/remnants/meetings.hpp"
+#include "solver/scene/tide.hpp"
 
 namespace eerie::remnants {
 
@@ -58,8 +59,10 @@ Analysis analyse(const io::Snapshot& snapshot, bool separated_after_contact) {
   analysis.m_slr_over_m_total = masses.m_slr / total;
   analysis.debris_bound_over_total = found.debris_bound_mass / total;
   analysis.remnants = std::move(found.remnants);
-  analysis.unsettled_reason =
-      unsettled_reason(analysis.remnants, snapshot.scene.end.settled.fall_back);
+  const double fragment = snapshot.scene.end.settled.fall_back;
+  analysis.unsettled_reason = has_primary(snapshot.scene)
+                                  ? unsettled_reason_in_tide(analysis.remnants, fragment)
+                                  : unsettled_reason(analysis.remnants, fragment);
   analysis.settled = analysis.unsettled_reason.empty();
   return analysis;
 }

@@ -66,4 +66,10 @@ std::string unsettled_reason(std::span<const Remnant> remnants, double fragment)
   return reason;
 }
 
+std::string unsettled_reason_in_tide(std::span<const Remnant> remnants, double fragment) {
+  const std::size_t large = heavier_than(fragment, remnants).size();
+  if (large < 2) return "";
+  return fmt::format("{} remnants go about the primary, and their orbits are not predicted", large);
+}
+
 }  // namespace eerie::remnants

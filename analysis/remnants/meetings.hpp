@@ -14,6 +14,8 @@ namespace eerie::remnants {
 /// little when they fall back, and finer runs have more of them. This function does not see changes
 /// of shape within one remnant, which takes two snapshots.
 std::string unsettled_reason(std::span<const Remnant> remnants, double fragment);
+/// The same about a primary, where orbits of pairs say nothing: empty for a single remnant.
+std::string unsettled_reason_in_tide(std::span<const Remnant> remnants, double fragment);
 
 /// Whether some pair of remnants, fragments excluded, is on its way to a contact.
 bool will_meet(std::span<const Remnant> remnants, double fragment);

@@ -32,7 +32,7 @@ bool bears_out(const Answer& finer, const Answer& coarser) {
 
 struct AutoRun {
   std::size_t cell = 0, rung = 0;
-  Scene scene{};
+  Scene scene;
 };
 
 Scene with_seed(Scene scene, std::int64_t seed) {

@@ -50,7 +50,7 @@ struct AutoCell {
 
 /// A run that an automatic choice requests.
 struct Wanted {
-  Scene scene{};
+  Scene scene;
   std::size_t rung = 0;
 };
 

@@ -6,6 +6,7 @@
 
 #include "campaign/job_folder/provenance.hpp"
 #include "solver/base/sha256.hpp"
+#include "solver/scene/tide.hpp"
 
 namespace eerie::job_folder {
 using nlohmann::json;
@@ -27,6 +28,7 @@ json totals_json(const step::Totals& t) {
 
 std::optional<double> angular_momentum_drift(const Scene& scene, const step::Totals& start,
                                              const step::Totals& end) {
+  if (has_primary(scene)) return std::nullopt;  // which turns them
   const Vec3 before = start.angular_momentum, after = end.angular_momentum;
   const double reduced_mass = target_mass(scene) * scene.impact.q / (1 + scene.impact.q);
   const double grazing = reduced_mass * scene.impact.v_imp_cm_per_s / 100 * contact_distance(scene);

@@ -46,7 +46,7 @@ ConvergenceStudy load_convergence_study(const std::filesystem::path& path);
 struct ConvergenceRun {
   std::string scheme, case_name;
   std::int64_t particles_per_target = 0, seed = 0;
-  Scene scene{};
+  Scene scene;
 };
 
 /// All runs, each once though rungs may share particle numbers, ordered by the cost of a particle

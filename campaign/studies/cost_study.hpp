@@ -40,7 +40,7 @@ CostStudy load_cost_study(const std::filesystem::path& path);
 struct CostRun {
   std::size_t setting = 0, case_index = 0;
   std::int64_t seed = 1;
-  Scene scene{};
+  Scene scene;
 };
 
 /// All runs; the first seed of all settings comes first.

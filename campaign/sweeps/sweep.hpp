@@ -35,7 +35,7 @@ Sweep load_sweep(const std::filesystem::path& path, const std::vector<std::strin
 
 /// The scene of one impact, and what SceneChanges::replaced() says of its file.
 struct GivenScene {
-  Scene scene{};
+  Scene scene;
   std::vector<std::string> replaced;
 };
 /// Reads the scene of one impact. Throws InputError.

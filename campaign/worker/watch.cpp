@@ -9,6 +9,7 @@
 #include "analysis/remnants/analysis.hpp"
 #include "analysis/remnants/meetings.hpp"
 #include "campaign/job_folder/result_file.hpp"
+#include "solver/scene/tide.hpp"
 #include "solver/step/deformation.hpp"
 #include "solver/step/diagnosis.hpp"
 
@@ -65,7 +66,8 @@ run::RunOptions Watch::options(int threads, long max_steps,
     return end_matters(snapshot, question);
   };
   options.will_meet = [this](const io::Snapshot& snapshot) {
-    return remnants::will_meet(remnants::find_remnants(snapshot.state).remnants,
+    return !has_primary(scene_) &&
+           remnants::will_meet(remnants::find_remnants(snapshot.state).remnants,
                                scene_.end.settled.fall_back);
   };
   options.stop = [this] { return stop_(); };
@@ -83,14 +85,23 @@ run::LookAnswer Watch::look(const io::Snapshot& snapshot, const run::LookQuestio
             softening(snapshot, found, ending::horizon(scene_.end, snapshot.state.time));
         to != snapshot.state.softening)
       return run::Soften{to};
-  if (scene_.numerics.rigid_flight)
+  if (may_fly())
     if (auto landing = ending::flight_from(snapshot, question.until, looks_.rows(), found,
                                            [this] { return stop_(); }))
       return run::Fly{*std::move(landing)};
   return run::GoOn{};
 }
 
+/// Orbits of remnants, and flights along them, know no tide.
+bool Watch::may_fly() const { return scene_.numerics.rigid_flight && !has_primary(scene_); }
+
+/// Several remnants about a primary meet or part by orbits that nobody predicts.
+bool Watch::is_unpredictable(const remnants::Remnants& found) const {
+  return has_primary(scene_) && ending::look(0, found, scene_.end.settled).size() > 1;
+}
+
 bool Watch::is_settled(const io::Snapshot& snapshot, const remnants::Remnants& found) const {
+  if (is_unpredictable(found)) return false;
   const double mass = snapshot.state.mass * static_cast<double>(snapshot.state.size());
   return ending::encounters(found, mass, ending::horizon(scene_.end, snapshot.state.time),
                             scene_.end.settled)
@@ -101,7 +112,8 @@ bool Watch::is_settled(const io::Snapshot& snapshot, const remnants::Remnants& f
 particles::Softening Watch::softening(const io::Snapshot& snapshot, const remnants::Remnants& found,
                                       double horizon) const {
   const particles::Softening now = snapshot.state.softening;
-  if (scene_.numerics.rigid_flight && ending::impact_ahead(found, scene_.end.settled)) return now;
+  if (is_unpredictable(found)) return {};
+  if (may_fly() && ending::impact_ahead(found, scene_.end.settled)) return now;
   const double late = softest_sound_speed(scene_), sound = bulk_sound_speed(scene_);
   if (ending::liveliness(looks_.rows(), found, horizon, late * sound, scene_.end.settled).empty())
     return {late, true};
@@ -122,8 +134,7 @@ bool Watch::end_matters(const io::Snapshot& snapshot, const run::LookQuestion& q
     return !ending::encounters(found_, mass, horizon, settled).empty();
   };
   // A flight lasts until nothing is ahead, asked again on its way, where less time is left.
-  if (scene_.numerics.rigid_flight && ending::restlessness(looks_.rows(), settled).empty() &&
-      is_ahead(all))
+  if (may_fly() && ending::restlessness(looks_.rows(), settled).empty() && is_ahead(all))
     return true;
   if (seen >= all) return false;
   if (ending::unsteadiness(looks_.rows(), settled).empty() && is_ahead(seen) != is_ahead(all))

@@ -16,6 +16,7 @@
 #include "solver/initial/packing.hpp"
 #include "solver/initial/remnant_body.hpp"
 #include "solver/scene/body_shape.hpp"
+#include "solver/scene/tide.hpp"
 #include "solver/step/solver.hpp"
 
 namespace eerie::initial {
@@ -145,6 +146,7 @@ std::string body_hash(const Scene& scene, particles::Body body) {
   Scene only = scene;
   only.impact.v_imp_cm_per_s = only.impact.theta_imp_deg = only.impact.separation = 0;
   only.end = {};
+  only.environment.primary = {};
   constexpr Scene::Spin at_rest{};
   constexpr Scene::Shape sphere{1, 1, 0};
   if (body == particles::Body::target) {
@@ -158,7 +160,8 @@ std::string body_hash(const Scene& scene, particles::Body body) {
 }
 
 Settling::Settling(const Scene& scene, particles::Body body, const std::function<bool()>& stop)
-    : Settling(scene, body, step::Solver(scene, unsettled_body(scene, body, stop))) {}
+    : Settling(scene, body,
+               step::Solver(without_primary(scene), unsettled_body(scene, body, stop))) {}
 
 Settling::Settling(const Scene& scene, particles::Body body, step::Solver begun)
     : scene_(scene),
@@ -218,9 +221,12 @@ namespace {
 RelativeOrbit start_of(const Scene& scene) {
   const double contact = contact_distance(scene);
   const double mu = newton_G * target_mass(scene) * (1 + scene.impact.q);
-  return orbit_before_contact(orbit_at_contact(contact, scene.impact.v_imp_cm_per_s / 100,
-                                               radians(scene.impact.theta_imp_deg)),
-                              mu, contact * scene.impact.separation);
+  const RelativeOrbit at_contact = orbit_at_contact(contact, scene.impact.v_imp_cm_per_s / 100,
+                                                    radians(scene.impact.theta_imp_deg));
+  const double distance = contact * scene.impact.separation;
+  if (!has_primary(scene)) return orbit_before_contact(at_contact, mu, distance);
+  return orbit_before_contact(at_contact, mu, distance, Tide(scene.environment.primary),
+                              scene.impact.q / (1 + scene.impact.q));
 }
 
 /// make(scene, body) makes each of the two, once the orbit is known to exist.

@@ -40,4 +40,94 @@ RelativeOrbit orbit_before_contact(const RelativeOrbit& at_contact, double mu, d
   return {distance * outward, -std::sqrt(radial2) * outward + (std::sqrt(h2) / distance) * tangent};
 }
 
+namespace {
+
+/// The two bodies as points, and the tide upon them.
+class Approach {
+ public:
+  Approach(double mu, const Tide& tide, double share) : mu_(mu), tide_(tide), share_(share) {}
+
+  /// The state a while later (earlier, where dt is negative), by one step of the classical
+  /// Runge-Kutta method.
+  RelativeOrbit after(const RelativeOrbit& o, double time, double dt) const {
+    const RelativeOrbit a = rate(o, time);
+    const RelativeOrbit b = rate(moved(o, a, dt / 2), time + dt / 2);
+    const RelativeOrbit c = rate(moved(o, b, dt / 2), time + dt / 2);
+    const RelativeOrbit d = rate(moved(o, c, dt), time + dt);
+    return {o.position + dt / 6 * (a.position + 2.0 * b.position + 2.0 * c.position + d.position),
+            o.velocity + dt / 6 * (a.velocity + 2.0 * b.velocity + 2.0 * c.velocity + d.velocity)};
+  }
+
+ private:
+  static RelativeOrbit moved(const RelativeOrbit& o, const RelativeOrbit& rate, double dt) {
+    return {o.position + dt * rate.position, o.velocity + dt * rate.velocity};
+  }
+  RelativeOrbit rate(const RelativeOrbit& o, double time) const {
+    const Vec3& r = o.position;
+    const double distance = norm(r);
+    return {o.velocity, -mu_ / (distance * distance * distance) * r +
+                            tide_.acceleration((1 - share_) * r, time) -
+                            tide_.acceleration(-share_ * r, time)};
+  }
+
+  double mu_;
+  const Tide& tide_;
+  double share_;
+};
+
+struct Start {
+  RelativeOrbit orbit;
+  double lead;  ///< from there to contact, s
+};
+
+/// Goes back from a contact at the time `contact_at` until the bodies are `distance` apart.
+Start back_from(const RelativeOrbit& at_contact, double contact_at, double distance,
+                const Approach& approach) {
+  constexpr int steps_per_contact = 200, most_steps = 100'000;
+  constexpr int halvings = 50;
+  const double dt = norm(at_contact.position) / norm(at_contact.velocity) / steps_per_contact;
+  RelativeOrbit now = at_contact;
+  for (int k = 0; k < most_steps; ++k) {
+    const double time = contact_at - k * dt;
+    const RelativeOrbit before = approach.after(now, time, -dt);
+    if (norm(before.position) < norm(now.position)) break;  // they would have come from contact
+    if (norm(before.position) < distance) {
+      now = before;
+      continue;
+    }
+    double low = 0, high = dt;
+    for (int h = 0; h < halvings; ++h) {
+      const double middle = (low + high) / 2;
+      const bool is_near = norm(approach.after(now, time, -middle).position) < distance;
+      (is_near ? low : high) = middle;
+    }
+    return {approach.after(now, time, -high), k * dt + high};
+  }
+  throw InputError(
+      fmt::format("scene.impact.v_imp_cm_per_s = {:g}: in the tide of environment.primary the "
+                  "bodies were never "
+                  "{:.4g} m apart; raise v_imp_cm_per_s or lower impact.separation",
+                  100 * norm(at_contact.velocity), distance));
+}
+
+}  // namespace
+
+RelativeOrbit orbit_before_contact(const RelativeOrbit& at_contact, double mu, double distance,
+                                   const Tide& tide, double share) {
+  const Approach approach(mu, tide, share);
+  // Where the primary is at contact depends on how long the bodies have come; means of two guesses
+  // do not swing.
+  constexpr int rounds = 80;
+  double lead = 0;
+  for (int k = 0; k < rounds; ++k) {
+    const Start start = back_from(at_contact, lead, distance, approach);
+    if (std::abs(start.lead - lead) <= 1e-9 * start.lead) return start.orbit;
+    lead = (lead + start.lead) / 2;
+  }
+  throw InputError(fmt::format(
+      "scene.impact.separation: on the way of the bodies from {:.4g} m apart to their contact the "
+      "primary turns too far; lower impact.separation or raise v_imp_cm_per_s",
+      distance));
+}
+
 }  // namespace eerie::initial

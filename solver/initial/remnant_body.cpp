@@ -43,15 +43,22 @@ void require_same_particles(const particles::State& s, const Scene& scene) {
         scene.target.radius_m, ratio, scene.target.radius_m * std::cbrt(ratio)));
 }
 
+particles::State checked_particles(const Scene& scene) {
+  particles::State s = read_remnant(scene.target.remnant).state;
+  require_same_particles(s, scene);
+  return s;
+}
+
 }  // namespace
 
 bool is_remnant(const Scene& scene, particles::Body body) {
   return body == particles::Body::target && !scene.target.remnant.file.empty();
 }
 
+void require_remnant(const Scene& scene) { checked_particles(scene); }
+
 particles::State remnant_body(const Scene& scene) {
-  particles::State s = read_remnant(scene.target.remnant).state;
-  require_same_particles(s, scene);
+  particles::State s = checked_particles(scene);
   s.mass = particle_mass(scene);
   s.h = smoothing_length(scene);
   const auto [a, b, c] = target_shape(scene).directions();

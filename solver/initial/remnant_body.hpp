@@ -13,5 +13,7 @@ bool is_remnant(const Scene& scene, particles::Body body);
 /// axes of target_shape(). It spins as it did. Throws InputError where the file cannot be read, is
 /// another one, or holds other particles than the scene says.
 particles::State remnant_body(const Scene& scene);
+/// Throws what remnant_body() would.
+void require_remnant(const Scene& scene);
 
 }  // namespace eerie::initial

@@ -24,7 +24,7 @@ inline constexpr std::int64_t snapshot_format_version = 4;
 /// is a checkpoint, from which a run continues with the same bits. Particles are in memory order,
 /// and every double keeps its bits.
 struct Snapshot {
-  Scene scene{};
+  Scene scene;
   particles::State state;
   std::vector<double> pressure;  ///< of the equation of state, as the momentum equation uses it, Pa
   std::optional<particles::Rates> rates;

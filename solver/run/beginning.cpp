@@ -7,6 +7,7 @@
 #include "solver/initial/remnant_body.hpp"
 #include "solver/run/checkpoints.hpp"
 #include "solver/run/kept_bodies.hpp"
+#include "solver/scene/tide.hpp"
 
 namespace eerie::run {
 namespace fs = std::filesystem;
@@ -29,7 +30,7 @@ class Begin {
       io::Snapshot& from = saved->state;
       if (!first) return NotBegun{*end_, std::move(from), steps_};
       note(fmt::format("going on from t = {:.0f} s, step {}", from.state.time, from.state.step));
-      return Beginning{solver_from(std::move(from)), *first, saved->is_final};
+      return Beginning{solver_from(std::move(from), scene_), *first, saved->is_final};
     }
     io::Snapshot start{scene_, made_impact(), {}, {}, {}};
     if (end_) return NotBegun{*end_, std::move(start), steps_};
@@ -86,7 +87,7 @@ class Begin {
     // A remnant is a file already.
     const bool is_shared = kept_.keeps() && !initial::is_remnant(scene_, body);
     if (auto kept = is_shared ? kept_.find(scene_, body) : std::nullopt) {
-      settling.emplace(scene_, body, solver_from(*std::move(kept)));
+      settling.emplace(scene_, body, solver_from(*std::move(kept), without_primary(scene_)));
       return settling;
     }
     try {
@@ -107,8 +108,8 @@ class Begin {
   }
 
   /// Of a checkpoint.
-  step::Solver solver_from(io::Snapshot saved) const {
-    return {scene_, std::move(saved.state), std::move(*saved.rates), *saved.restart,
+  static step::Solver solver_from(io::Snapshot saved, const Scene& scene) {
+    return {scene, std::move(saved.state), std::move(*saved.rates), *saved.restart,
             std::move(saved.pressure)};
   }
 
@@ -128,7 +129,7 @@ class Begin {
     if (!saved) return {scene_, body, [this] { return is_over(); }};
     note(fmt::format("{}: going on from step {} of its way to rest", file.string(),
                      saved->state.step));
-    return {scene_, body, solver_from(*std::move(saved))};
+    return {scene_, body, solver_from(*std::move(saved), without_primary(scene_))};
   }
 
   bool is_over() {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "solver/scene/tide.hpp"
+
 namespace eerie {
 
 namespace {
@@ -69,6 +71,10 @@ const Guard guards[] = {
      "matter bends by percents before it yields and rebounds like rubber; raise "
      "material.shear_modulus_Pa, tillotson.A_Pa and B_Pa in proportion to a hundred times the "
      "cohesion or more"},
+    {"environment.primary.distance_m",
+     [](const Scene& s) { return s.environment.primary.distance_m; },
+     [](const Scene& s) { return hill_radius(s) < contact_distance(s); },
+     "bodies that touch reach beyond their Hill radius, so the tide pulls them apart; give more"},
     {"impact.v_imp_cm_per_s", [](const Scene& s) { return s.impact.v_imp_cm_per_s; },
      [](const Scene& s) {
        return s.material.eos != "ideal-gas" &&

@@ -14,6 +14,7 @@
 #include "solver/scene/body_shape.hpp"
 #include "solver/scene/scene_schema_text.hpp"
 #include "solver/scene/schemes.hpp"
+#include "solver/scene/tide.hpp"
 #include "solver/scene/validate.hpp"
 
 namespace eerie {
@@ -82,6 +83,11 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/environment/self_gravity", s.environment.self_gravity);
   visit("/environment/gravity_m_per_s2", s.environment.gravity_m_per_s2);
   visit("/environment/walls", s.environment.walls);
+  visit("/environment/primary/mass_kg", s.environment.primary.mass_kg);
+  visit("/environment/primary/radius_m", s.environment.primary.radius_m);
+  visit("/environment/primary/distance_m", s.environment.primary.distance_m);
+  visit("/environment/primary/azimuth_deg", s.environment.primary.azimuth_deg);
+  visit("/environment/primary/retrograde", s.environment.primary.retrograde);
   visit("/numerics/scheme", s.numerics.scheme);
   visit("/numerics/particles_per_target", s.numerics.particles_per_target);
   visit("/numerics/seed", s.numerics.seed);
@@ -251,6 +257,7 @@ void require_orbit(const Scene& scene, const std::string& where) {
 void require_usable(const Scene& scene, const std::string& where) {
   require_consistent(scene, where);
   require_orbit(scene, where);
+  require_primary(scene, where);
   if (impactor_particles(scene) < 100)
     throw TooFewParticles(fmt::format(
         "{}.impact.q = {}: the impactor would have {} particles and needs at least 100; "
@@ -327,6 +334,7 @@ json to_json(const Scene& scene) {
   leave_out_of_body(document["target"], target_shape(scene), scene.target.spin);
   leave_out_of_body(document["impactor"], impactor_shape(scene), scene.impactor.spin);
   if (document["impactor"].empty()) document.erase("impactor");
+  if (!has_primary(scene)) document["environment"].erase("primary");
   return document;
 }
 

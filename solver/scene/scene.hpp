@@ -43,19 +43,19 @@ struct Scene {
     Spin spin;
     Shape shape;
     Remnant remnant;
-  } target;
+  } target{};
 
   struct Impactor {
     Spin spin;
     Shape shape;
-  } impactor;
+  } impactor{};
 
   struct Impact {
     double q;               ///< impactor mass over target mass, 0 < q <= 1
     double v_imp_cm_per_s;  ///< relative speed at contact
     double theta_imp_deg;  ///< between relative velocity and line of centres at contact; 0: head-on
     double separation;     ///< distance of centres at the start, in units of R_t + R_i
-  } impact;
+  } impact{};
 
   struct Tillotson {
     double A_Pa, B_Pa, a, b, u0_J_per_kg, u_iv_J_per_kg, u_cv_J_per_kg, alpha, beta;
@@ -94,7 +94,7 @@ struct Scene {
     Lundborg lundborg;
     std::string fracture;  ///< "none" or "grady-kipp"
     GradyKipp grady_kipp;
-  } material;
+  } material{};
 
   /// A plane that particles do not cross. Behind it lies their mirror image.
   struct Wall {
@@ -104,11 +104,20 @@ struct Scene {
     std::string kind;
     bool operator==(const Wall&) const = default;
   };
+  /// A heavy body about which both bodies go on a circle (tide.hpp).
+  struct Primary {
+    double mass_kg;      ///< 0: there is none
+    double radius_m;     ///< of a homogeneous ball
+    double distance_m;   ///< of its centre from that of the bodies
+    double azimuth_deg;  ///< towards it as the run starts, from +x in the plane of the impact
+    bool retrograde;     ///< whether the bodies go about it against the sense of the impact
+  };
   struct Environment {
     bool self_gravity;
     std::array<double, 3> gravity_m_per_s2;  ///< a uniform field, added to self-gravity
     std::vector<Wall> walls;                 ///< at most one for each face
-  } environment;
+    Primary primary;
+  } environment{};
 
   struct Numerics {
     std::string scheme;  ///< the named set of defaults for the fields below
@@ -137,7 +146,7 @@ struct Scene {
     double flow_mach;               ///< greatest Mach number of earlier softening; 0: there is none
     bool rigid_flight;              ///< whether clumps that do not change fly as rigid bodies
     std::string precision;  ///< of the pair sums: "float" or "double"; the state is always double
-  } numerics;
+  } numerics{};
 
   /// When remnants count as settled (analysis/ending/steadiness.hpp).
   struct Settled {
@@ -154,13 +163,13 @@ struct Scene {
     /// A run goes on until then while remnants are going to meet; 0: it does not wait.
     double latest_s;
     Settled settled;  ///< what may end a run before time_s
-  } end;
+  } end{};
 
   struct Output {
     double snapshot_interval_s;    ///< simulated time between snapshots; 0: only the last
     double history_interval_s;     ///< simulated time between rows of history.csv
     double checkpoint_interval_s;  ///< wall time between checkpoints
-  } output;
+  } output{};
 };
 
 /// An impactor of too few particles: more particles, that is, a finer fidelity, help.

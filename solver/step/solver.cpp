@@ -10,6 +10,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/principal.hpp"
 #include "solver/io/snapshot.hpp"
+#include "solver/scene/tide.hpp"
 #include "solver/step/late.hpp"
 #include "solver/step/walls.hpp"
 
@@ -281,13 +282,14 @@ void Solver::evaluate_gravity(double elapsed, double planned) {
     std::fill(rates_.g.begin(), rates_.g.end(), Vec3f(uniform));
     return;
   }
+  const Tide tide(scene_.environment.primary);
   // The mean rate of the cycle behind lags by half of it. What it changed by makes up for most of
   // that; all of it would let errors go on from cycle to cycle.
   const double lead = is_staggered() && knows_gravity_rate() ? 0.5 : 0;
   tree_.fit(state_.x);
   gravity_.accelerations(tree_, state_.x, [&](std::size_t i, const Vec3& attraction) {
     const Vec3 before = rates_.g[i];
-    rates_.g[i] = Vec3f(attraction + uniform);
+    rates_.g[i] = Vec3f(attraction + uniform + tide.acceleration(state_.x[i], state_.time));
     if (elapsed <= shortest_telling_cycle * planned) return;
     const Vec3 rate = (Vec3(rates_.g[i]) - before) / elapsed, last = Vec3(rates_.dg_dt[i]);
     rates_.dg_dt[i] = Vec3f(rate + lead * (rate - last));

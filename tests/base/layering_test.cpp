@@ -51,7 +51,7 @@ const std::map<std::string, Rooms> allowed = {
     {"campaign/text", {}},
     {"campaign/manual", {"campaign/text"}},
     {"campaign/process", {}},
-    {"campaign/sweeps", {"campaign/text", "db/store", "db/jobs"}},
+    {"campaign/sweeps", {"campaign/text", "db/store", "db/jobs", "solver/initial"}},
     {"campaign/job_folder",
      {"campaign/text", "db/store", "db/jobs", "analysis/remnants", "analysis/ending", "solver/io",
       "solver/run"}},

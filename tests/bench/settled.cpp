@@ -61,7 +61,7 @@ std::string row_of(const JobDirectory& job, const Scene::Settled& settled) {
   std::vector<RemnantLook> looks;
   std::optional<Answer> stop;
   Answer last;
-  Scene scene{};
+  Scene scene;
   const double interval = settled.window_s / looks_per_window;
   long done = 0;
   for (const fs::path& file : snapshots_of(job.path)) {

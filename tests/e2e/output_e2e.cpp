@@ -234,6 +234,22 @@ TEST_F(Progress, StaysInOneLineThatFitsTheTerminal) {
   }
 }
 
+TEST_F(Progress, IsNotShownToWhoeverAskedForQuiet) {
+  install_text(folder / "scene.json",
+               R"({"numerics": {"particles_per_target": 100}, "end": {"time_s": 300}})");
+  const std::vector<Words> commands = {run,
+                                       {"doctor"},
+                                       {"analyse", "--db", "eerie.sqlite"},
+                                       {"solve", "scene.json", "--out", "one"}};
+  for (Words words : commands) {
+    words.push_back("--quiet");
+    const Ended ended = test::on_terminal(folder.path(), words, {80, "xterm"});
+    EXPECT_EQ(ended.code, 0) << words[0] << ": " << ended.out;
+    for (const std::string& line : lines_of(ended.out))
+      EXPECT_TRUE(line.starts_with("warning: ")) << words[0] << ": " << line;
+  }
+}
+
 TEST_F(Progress, NobodyReadsItAndTheRunGoesOn) {
   EXPECT_EQ(test::complaining_to_nobody(folder.path(), run).code, 0);
   const Ended status = test::eerie(folder.path(), {"status", "--json"});

@@ -84,6 +84,7 @@ TEST_F(SecondImpact, RefusesWhatDoesNotFit) {
     scene.merge_patch(change);
     const Ended ended = solve(scene, "refused-" + std::to_string(++refused));
     EXPECT_EQ(ended.code, 2) << change;
+    EXPECT_FALSE(fs::exists(folder.path() / ("refused-" + std::to_string(refused)))) << change;
     return ended.err;
   };
   const auto target = [](const json& remnant) { return json{{"target", {{"remnant", remnant}}}}; };
@@ -93,6 +94,31 @@ TEST_F(SecondImpact, RefusesWhatDoesNotFit) {
   EXPECT_THAT(refusal(target({{"file", ""}})), HasSubstr("go together"));
   EXPECT_THAT(refusal(target({{"file", (folder / "none.hdf5").string()}})), HasSubstr("none.hdf5"));
   EXPECT_THAT(refusal(target({{"sha256", sha256_hex("another")}})), HasSubstr("SHA-256"));
+}
+
+TEST_F(SecondImpact, OfASweepIsRefusedBeforeAnythingIsStored) {
+  const auto commands = {std::vector<std::string>{"expand", "sweep.json"},
+                         {"submit", "sweep.json"},
+                         {"run", "sweep.json"}};
+  const auto write = [&](const json& scene) {
+    const json grid = {{"theta_imp_deg", {0, 10}}};
+    install_text(folder / "sweep.json",
+                 json{{"name", "again"}, {"scene", scene}, {"grid", grid}}.dump());
+  };
+  json other = second;
+  other["numerics"]["particles_per_target"] = 1000;
+  write(other);
+  for (const auto& command : commands) {
+    const Ended ended = eerie(command);
+    EXPECT_EQ(ended.code, 2) << command[0];
+    EXPECT_THAT(ended.err, HasSubstr("scene.numerics.particles_per_target = 1000"));
+    EXPECT_FALSE(fs::exists(folder / "eerie.sqlite")) << command[0];
+  }
+  write(second);
+  const Ended expanded = eerie({"expand", "sweep.json"});
+  EXPECT_EQ(expanded.code, 0) << expanded.err;
+  EXPECT_THAT(expanded.out, testing::Not(HasSubstr("Which settings?")))
+      << "a remnant has the particles that it has";
 }
 
 TEST_F(SecondImpact, IsPreparedByACommandThatNamesItsMistakes) {

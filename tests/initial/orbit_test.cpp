@@ -113,5 +113,63 @@ TEST(MakeImpact, RefusesAnUnreachableOrbitBeforeItBuildsBodies) {
                InputError);
 }
 
+/// Points in the pull of a primary at rest, forward in time by small steps: independent of frames.
+struct ThreeBodies {
+  Vec3 target, impactor, target_v, impactor_v;
+};
+
+TEST(OrbitBeforeContact, InATideLeadsToTheContactThatWasAskedFor) {
+  const double M = 4.95e11, d = 1000;
+  for (const Case& c : cases) {
+    if (c.v_imp < 0.06 || c.distance > 3) continue;  // those that the tide lets go
+    for (const bool retrograde : {false, true}) {
+      const Tide tide({M, 360, d, 70, retrograde});
+      const double share = c.q / (1 + c.q), m = mu_of(c) / newton_G;
+      const RelativeOrbit start =
+          orbit_before_contact(contact_orbit(c), mu_of(c), c.distance * contact_of(c), tide, share);
+      EXPECT_NEAR(norm(start.position), c.distance * contact_of(c), 1e-9) << c.name;
+      // The primary is at the origin; the middle of the bodies goes about it.
+      const Vec3 middle = -tide.place(0), middle_v = cross({0, 0, tide.rate()}, middle);
+      ThreeBodies b{middle - share * start.position, middle + (1 - share) * start.position,
+                    middle_v - share * start.velocity, middle_v + (1 - share) * start.velocity};
+      const auto pull = [&](const Vec3& at, const Vec3& by, double mass) {
+        const Vec3 to = by - at;
+        return newton_G * mass / (norm2(to) * norm(to)) * to;
+      };
+      const double dt = 0.05;
+      double time = 0;
+      while (norm(b.impactor - b.target) > contact_of(c)) {
+        time += dt;
+        ASSERT_LT(time, 1e5) << c.name;
+        b.target += dt / 2 * b.target_v, b.impactor += dt / 2 * b.impactor_v;
+        b.target_v += dt * (pull(b.target, {}, M) + pull(b.target, b.impactor, m * share));
+        b.impactor_v +=
+            dt * (pull(b.impactor, {}, M) + pull(b.impactor, b.target, m * (1 - share)));
+        b.target += dt / 2 * b.target_v, b.impactor += dt / 2 * b.impactor_v;
+      }
+      const RelativeOrbit end = contact_orbit(c);
+      // The centre of both leaves its circle, as the tide is uneven; and steps are dt v long.
+      EXPECT_LT(norm(b.impactor - b.target - end.position), 0.005 * contact_of(c)) << c.name;
+      EXPECT_LT(norm(b.impactor_v - b.target_v - end.velocity), 1e-3 * c.v_imp) << c.name;
+    }
+  }
+}
+
+TEST(OrbitBeforeContact, InAFaintTideIsThatOfKepler) {
+  const Case& c = cases[0];
+  const RelativeOrbit with = orbit_before_contact(
+      contact_orbit(c), mu_of(c), c.distance * contact_of(c), Tide({1, 1, 1e6, 0, false}), 0.5);
+  EXPECT_LT(norm(with.position - start_of(c).position), 1e-6);
+  EXPECT_LT(norm(with.velocity - start_of(c).velocity), 1e-9);
+}
+
+TEST(OrbitBeforeContact, InATideThatNeverLetThemSoFarApartIsRefused) {
+  // Below the escape speed of 6.1 cm/s.
+  const Tide faint({1, 1, 1e6, 0, false});
+  EXPECT_THROW(
+      orbit_before_contact(orbit_at_contact(100, 0.05, 0.2), mu_of(cases[0]), 1000, faint, 0.5),
+      InputError);
+}
+
 }  // namespace
 }  // namespace eerie::initial

@@ -8,12 +8,11 @@ namespace eerie::proof {
 namespace {
 
 TEST(GranularCliffLong, HasThePublishedSurfaceAndConvergesToIt) {
-  Record record(
-      "validation", 50, "Collapse of a granular cliff",
-      "A rectangle of grains, H0/L0 = 3.2, falls over on a rough floor in plane strain "
-      "(Drucker-Prager friction, mu_d = tan 20.9 deg, no cohesion; sound speed ten times that of "
-      "free fall from H0; alpha 0.2, beta 0.4). Compared with the surface that Jutzi (2015, "
-      "fig. 1) found with the same law of friction in another SPH code. Time in sqrt(H0/g).");
+  Record record("validation", 50, "Collapse of a granular cliff",
+                "A rectangle of cohesionless grains, H0/L0 = 3.2, falls over on a rough floor in "
+                "plane strain, against the surface of Jutzi (2015, fig. 1) with the same friction "
+                "in another SPH code. Drucker-Prager friction, mu_d = tan 20.9 deg; sound speed "
+                "ten times that of free fall from H0; alpha 0.2, beta 0.4; time in sqrt(H0/g).");
   const std::vector<double> times{1, 2, 3, 4, 6};
   const Surface start = published_start(), end = published_end();
   std::vector<std::vector<Surface>> runs;
@@ -38,26 +37,27 @@ TEST(GranularCliffLong, HasThePublishedSurfaceAndConvergesToIt) {
   record.within("kinetic energy left at the end, over M g H0", fine.back().kinetic_energy, 0, 1e-3,
                 "it has stopped: a thousandth of what the fall set free (a third of M g H0)");
   record.noted("furthest connected grain at the end, L0", fine.back().front, "7.2",
-               "the published tip is 0.04 L0 thin, one particle here: the last grains of it are "
-               "loose and do not count as connected");
+               "the published tip is 0.04 L0 thin, one particle here; its last grains are loose "
+               "and do not count");
   record.noted("height at x = 0.04 at the end, L0", height_at(fine.back(), 0.04), "1.20",
                "the published top");
   record.noted("front over that of the experiment", fine.back().front / 5.8, "1",
-               "the laboratory pile stops at 5.6 to 5.95 L0; plain Drucker-Prager friction, which "
-               "knows no rate and no rolling grains, over-runs it in both codes");
+               "the laboratory pile stops at 5.6 to 5.95 L0; plain Drucker-Prager friction, "
+               "without rate or rolling grains, over-runs it in both codes");
   // alpha 0.2 was chosen with the published surface in view, so what others give is said.
   for (const double alpha : {0.5, 1.0}) {
     const Surface other =
         collapse({.aspect = 3.2, .phi_d_deg = 20.9, .across = 12, .viscosity = alpha}, {6}).front();
-    record.noted(fmt::format("alpha {:g}, 12 over L0: mean difference at the end, L0", alpha),
-                 mean_difference(other, end),
-                 fmt::format("{:.3f}, that of alpha 0.2", mean_difference(coarse.back(), end)),
-                 fmt::format("viscosity holds the pile back: its furthest grain stops at {:.2f} L0 "
-                             "({:.2f} with alpha 0.2)",
-                             other.front, coarse.back().front));
+    record.noted(
+        fmt::format("alpha {:g}, coarse: mean difference at the end, L0", alpha),
+        mean_difference(other, end),
+        fmt::format("{:.3f} (alpha 0.2)", mean_difference(coarse.back(), end)),
+        fmt::format("viscosity holds the pile back: furthest grain at {:.2f} L0 ({:.2f} with alpha "
+                    "0.2)",
+                    other.front, coarse.back().front));
   }
   Figure figure{"cliff",
-                "Surface of a collapsing cliff, H0/L0 = 3.2, at one time unit and at the end",
+                "Surface at one time unit and at the end",
                 "x / L0",
                 "y / L0",
                 {},

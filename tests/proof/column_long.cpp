@@ -15,14 +15,13 @@ double exponent(const RunOut& a, const RunOut& b) {
 }
 
 TEST(GranularColumnLong, RunOutFollowsTheScalingLawsOfExperiments) {
-  Record record(
-      "validation", 51, "Run-out of granular columns",
-      "Columns of aspect ratio a = H0/L0 collapse in plane strain on a rough floor. phi_d = "
-      "27.2 deg: in plane strain mu_d is the sine of Mohr and Coulomb's angle, 31 deg, that of "
-      "the sand of Lube et al. (2005). Run-out dL/L0 is that of what is two particles high, the "
-      "least that has a surface and an inside, and that of the furthest connected grain. Laws "
-      "of experiments: 1.2 a and 1.9 a^(2/3) (Lube et al. 2005), 1.8 a and 2.3 a^(2/3) "
-      "(Lajeunesse et al. 2005).");
+  Record record("validation", 51, "Run-out of granular columns",
+                "Columns of aspect ratio a = H0/L0 collapse in plane strain on a rough floor. "
+                "phi_d is 27.2 deg: in plane strain mu_d is the sine of Mohr and Coulomb's angle, "
+                "31 deg for Lube's sand. Run-out dL/L0 is that of what is two particles high, the "
+                "least with a surface and an inside, and that of the furthest connected grain. "
+                "Laws of experiments: 1.2 a and 1.9 a^(2/3) (Lube et al. 2005), 1.8 a and 2.3 "
+                "a^(2/3) (Lajeunesse et al. 2005).");
   Curve tip{"furthest grain", {}, {}, "points pt 7 ps 0.6"},
       front{"two particles high", {}, {}, "points pt 6 ps 0.6"};
   std::vector<RunOut> runs;
@@ -37,17 +36,17 @@ TEST(GranularColumnLong, RunOutFollowsTheScalingLawsOfExperiments) {
                     fmt::format("{:.2f}", r.front), fmt::format("{:.2f}", r.tip),
                     fmt::format("{:.2f}", lube(aspect)), fmt::format("{:.2f}", lajeunesse(aspect)),
                     fmt::format("{:.0e}", r.kinetic_energy)});
-    record.within(fmt::format("a = {:g}: where it is two particles high, over Lube's law", aspect),
+    record.within(fmt::format("a = {:g}: two particles high, over Lube's law", aspect),
                   r.front / lube(aspect), 0.8, 1.3,
                   "his sand; plain Drucker-Prager friction is known to over-run experiments by 0.2 "
                   "to 0.3 (Jutzi 2015), and a front thinner than a particle is not there (0.2)");
     record.noted(fmt::format("a = {:g}: furthest grain over Lube's law", aspect),
                  r.tip / lube(aspect), "0.8 to 1.3",
-                 "a layer of single grains bears no stress and slides on; what moves is two thick");
+                 "a layer of single grains bears no stress and slides on");
   }
   record.say(
-      "Thin layers slide further than sand: with 56 particles over L0 a column of a = 1 is two "
-      "particles high up to 1.20 of Lube's law, and its furthest grain reaches 1.56 of it.");
+      "Thin layers slide further than sand: with 56 particles over L0 a column of a = 1 "
+      "is two particles high up to 1.20 of Lube's law, its furthest grain at 1.56.");
   record.table({"a", "particles over L0", "dL/L0 where two particles high", "dL/L0", "Lube",
                 "Lajeunesse", "kinetic energy, M g H0"},
                rows);
@@ -62,7 +61,7 @@ TEST(GranularColumnLong, RunOutFollowsTheScalingLawsOfExperiments) {
     by_lajeunesse.x.push_back(a), by_lajeunesse.y.push_back(lajeunesse(a));
   }
   record.figure({"column",
-                 "Run-out of granular columns",
+                 "Run-out",
                  "a = H0/L0",
                  "dL/L0",
                  {tip, front, by_lube, by_lajeunesse},

@@ -10,9 +10,9 @@ namespace {
 
 TEST(ReferenceImpact, ConservesWhatItMust) {
   Record record("validation", 20, "Conservation over the reference impact",
-                "q 1, phi_d 40 deg, theta 15 deg, v 20 cm/s, 1,000 particles per target, energy "
-                "equation integrated, to 3e4 s. Energies in units of the kinetic energy at the "
-                "start; the potential energy counts from its start.");
+                "The reference impact with 1,000 particles per target and the energy equation "
+                "integrated. Energies in units of the kinetic energy at the start; the potential "
+                "energy counts from its start.");
   const Scene scene = impact_scene(1000, {{"material", {{"energy", "integrated"}}}});
   Curve kinetic{"kinetic", {}, {}}, potential{"potential", {}, {}}, viscous{"viscous heat", {}, {}},
       friction{"friction heat", {}, {}}, total{"total - start", {}, {}};

@@ -62,12 +62,10 @@ Threshold threshold(const nlohmann::json& material) {
 }
 
 TEST(Disruption, TakesThePublishedEnergyWithoutFrictionAndMoreWithIt) {
-  Record record(
-      "validation", 13, "The energy that disperses half of the mass",
-      "Head-on impacts of equal bodies (50 m, 1,000 particles each), at the energy where half of "
-      "the mass is left bound at 8,000 s: Q*_RD in units of the gravitational energy of Leinhardt "
-      "& "
-      "Stewart (2012), their c*. It lies between two impacts a tenth in energy apart.");
+  Record record("validation", 13, "The energy that disperses half of the mass",
+                "Head-on impacts of equal bodies (50 m, 1,000 particles each). Q*_RD leaves half "
+                "of the mass bound at 8,000 s; c* is Q*_RD over the gravitational energy of "
+                "Leinhardt & Stewart (2012), found between two impacts a tenth in energy apart.");
   const double fluid = threshold({{"rheology", "fluid"}}).c_star();
   record.within("c* without friction", fluid, 1.6, 7,
                 "1.9 +- 0.3 for fluid planets to 5 +- 2 for small bodies");

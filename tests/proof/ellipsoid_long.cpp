@@ -17,17 +17,15 @@ Scene rubble(double phi_d_deg) {
 }
 
 TEST(GranularEllipsoid, FailsAtTheSpinOfTheory) {
-  Record record(
-      "validation", 40, "Granular ellipsoids: where they fail",
-      "Cohesionless prolate ellipsoids (1,000 particles) are spun up evenly over 2e4 s "
-      "(30 dynamical times) from half of the largest stable W = omega^2/(2 pi G rho); one "
-      "has failed when it is 5 % longer. The limit follows from stresses averaged over "
-      "the volume (`tests/proof/ellipsoid.hpp`; derived anew, W of the sphere in closed "
-      "form).");
+  Record record("validation", 40, "Granular ellipsoids: where they fail",
+                "Cohesionless prolate ellipsoids (1,000 particles) are spun up evenly over 2e4 s "
+                "(30 dynamical times) from half of the largest stable W = omega^2/(2 pi G rho), "
+                "until 5 % longer. The limit follows from stresses averaged over the volume "
+                "(derived in `tests/proof/ellipsoid.hpp`).");
   const std::string reason =
       "averages over the volume bound the spin from above, for a body that yields everywhere at "
       "once; 1,000 particles make edges of 0.1 R";
-  Figure figure{"ellipsoids", "Spin at which ellipsoids fail: points measured, lines derived",
+  Figure figure{"ellipsoids", "Spin at failure: points measured, lines derived",
                 "b/a",        "W = ω²/(2πGρ)",
                 {},           "set xrange [0.2:1]"};
   int colour = 0;
@@ -53,13 +51,11 @@ TEST(GranularEllipsoid, FailsAtTheSpinOfTheory) {
 }
 
 TEST(GranularEllipsoid, StandsWithoutSpinWhereTheorySaysSo) {
-  Record record(
-      "validation", 41, "Granular ellipsoids at rest",
-      "The same ellipsoids without spin, released for 1e4 s. By the averaged stresses all "
-      "of them stand at 30, 40 and 50 degrees (lowest b/a 0.269, 0.12, 0.016); at 20 "
-      "degrees the limit is 0.453, so 0.3 must fall in and 0.5 must stand. A body that stands "
-      "may change by its release, and near the limit until it would stand with 0.85 of the "
-      "friction: what the spins of failure are held to. There it must come to rest.");
+  Record record("validation", 41, "Granular ellipsoids at rest",
+                "The same without spin, released for 1e4 s. By the averaged stresses all stand at "
+                "30, 40 and 50 deg (lowest b/a 0.269, 0.12, 0.016); at 20 deg (0.453) 0.3 must "
+                "fall in and 0.5 stand. Near the limit a body may creep to where 0.85 of the "
+                "friction would hold it, the margin of the spins of failure.");
   const auto after = [](double phi, double ratio, double seconds = 10000) {
     const Scene scene = rubble(phi);
     return spun_up(scene, resting_ellipsoid(scene, ratio, 0), 0, 0, seconds, 1).last.b_over_a;

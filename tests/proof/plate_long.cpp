@@ -14,15 +14,13 @@ TEST(ElasticPlateLong, SwingsWithThePeriodOfTheoryFreeAndClamped) {
       "validation", 60, "Oscillating plate",
       fmt::format(
           "A plate 0.2 m long and 0.02 m thick (E 2 MPa, rho 1000 kg/m^3, nu 0.3975) in its "
-          "gravest bending oscillation, in plane strain. It is free (half of it, mirrored by a "
-          "slip "
-          "wall), or clamped at one end by a rough wall. Thin-plate theory gives {:.4f} and {:.3f} "
-          "s; shear "
-          "and rotary inertia add {:.1f} and {:.1f} %.",
+          "gravest bending oscillation, in plane strain. It is free (half of it, at a slip "
+          "wall) or clamped by a rough wall. Thin-plate theory gives {:.4f} and {:.3f} s; "
+          "shear and rotary inertia add {:.1f} and {:.1f} %.",
           thin_plate_period(Support::free), thin_plate_period(Support::clamped),
           100 * thickness_correction(Support::free), 100 * thickness_correction(Support::clamped)));
   Figure figure{"plate",
-                "Period of the plate over that of theory (with shear and rotary inertia)",
+                "Period over that of theory (with shear and rotary inertia)",
                 "particles over the thickness",
                 "period / theory",
                 {},

@@ -35,7 +35,8 @@ class Record {
   Record(const Record&) = delete;
   Record& operator=(const Record&) = delete;
 
-  /// Fails the test unless lo <= value <= hi. `reason`: where the bounds come from.
+  /// Fails the test unless lo <= value <= hi. `what` ends in its unit where it has one: "period,
+  /// h". `reason`: where the bounds come from; of many checks with one reason the page shows one.
   void within(const std::string& what, double value, double lo, double hi,
               const std::string& reason);
   /// A result outside of what one would wish, that is known and said: no test fails.

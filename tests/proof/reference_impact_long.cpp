@@ -34,9 +34,7 @@ TEST(ReferenceImpact, MergesIntoOneExtremelyElongatedRemnant) {
       "q 1, phi_d 40 deg, theta_imp 15 deg, v_imp 20 cm/s, 5,000 particles per target, to "
       "3e4 s. The paper, with 50,000: almost complete merging, b/a 0.24, period 9.36 h. The "
       "pair is drawn to a cigar, falls back and freezes by 2.5e4 s.");
-  Figure figure{"reference", "The largest remnant of the reference impact",
-                "time (s)",  "",
-                {},          "set yrange [0:1.1]"};
+  Figure figure{"reference", "The largest remnant", "time (s)", "", {}, "set yrange [0:1.1]"};
   const ImpactEnd end = charted(impact_scene(5000, nlohmann::json::object()), 30000, figure);
   ASSERT_FALSE(end.failed) << end.failure;
   const remnants::Remnant& r = end.largest();
@@ -52,13 +50,11 @@ TEST(ReferenceImpact, MergesIntoOneExtremelyElongatedRemnant) {
 }
 
 TEST(ReferenceImpact, LeavesNoExtremelyElongatedRemnantAtThirtyDegreesOfFriction) {
-  Record record(
-      "validation", 11, "The reference impact with less friction",
-      "The same at phi_d 30 deg, for which the paper finds no EER anywhere. The pair pinches "
-      "in two halves, which part at close to the speed of escape.");
-  Figure figure{
-      "reference-30",      "The largest remnant at 30 degrees of friction", "time (s)", "", {},
-      "set yrange [0:1.1]"};
+  Record record("validation", 11, "The reference impact with less friction",
+                "The same at phi_d 30 deg, where the paper finds no EER. The pair pinches into "
+                "halves, which part at about the speed of escape.");
+  Figure figure{"reference-30",      "The largest remnant at 30 deg", "time (s)", "", {},
+                "set yrange [0:1.1]"};
   const ImpactEnd end = charted(
       impact_scene(5000, {{"material", {{"drucker_prager", {{"phi_d_deg", 30}}}}}}), 45000, figure);
   ASSERT_FALSE(end.failed) << end.failure;

@@ -16,7 +16,7 @@ namespace {
 TEST(RestingSphere, KeepsItsShapeForADay) {
   Record record("validation", 30, "A resting cohesionless sphere",
                 "A body of R = 50 m (1,000 particles, phi_d 40 deg), settled, then left alone for "
-                "1e5 s: 150 dynamical times, 1e5 steps. Speeds in units of the escape speed.");
+                "1e5 s: 150 dynamical times, 1e5 steps.");
   const Scene scene = parse_scene({{"numerics", {{"particles_per_target", 1000}}}});
   step::Solver solver(scene, initial::make_body(scene, particles::Body::target));
   const double escape = escape_speed({50, 2700});
@@ -44,7 +44,7 @@ TEST(RestingSphere, KeepsItsShapeForADay) {
                 pressure / (0.4 * central_pressure({50, 2700})), 0.95, 1.12,
                 "virial theorem; the surface adds a part of order h/R = 0.19");
   record.figure({"rest",
-                 "Speeds inside a resting sphere",
+                 "Speeds inside the sphere",
                  "time (s)",
                  "rms speed / escape speed",
                  {speed},

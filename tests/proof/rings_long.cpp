@@ -30,15 +30,14 @@ TEST(RubberRingsLong, BounceAndStayWholeWithArtificialStressOnly) {
   record.within("without: connected pieces", torn.pieces, 3, 1000, "it tears the rings");
   const RingsOutcome weak =
       collide({.spacing = 0.0015, .artificial_stress = 0.3, .quarter = true}, 40);
-  record.noted(
-      "with artificial stress 0.3, half a ring against walls: connected pieces", weak.pieces, "1",
-      "so 0.5 and h = 1.5 spacings were chosen after trying h from 1.2 to 1.8 and strengths from 0 "
-      "to 0.8. With h = 1.3 to 1.5 spacings 0.3 is enough in two dimensions (Gray, Monaghan & "
-      "Swift "
-      "2001); a cubic lattice between slip walls has further directions to clump in");
+  record.noted("with artificial stress 0.3, half a ring against walls: connected pieces",
+               weak.pieces, "1",
+               "so 0.5 and h = 1.5 spacings were chosen after trying 1.2 to 1.8 and strengths "
+               "from 0 to 0.8. In two dimensions 0.3 is enough (Gray, Monaghan & Swift 2001); a "
+               "cubic lattice between walls clumps in further directions");
   const RingsOutcome half =
       collide({.spacing = 0.0015, .artificial_stress = 0.5, .quarter = true}, 40);
-  record.within("0.5, half a ring against walls: the same speed less that of two rings",
+  record.within("0.5, half a ring against walls: speed less that of two rings",
                 half.rebound - whole.rebound, -0.01, 0.01,
                 "by symmetry slip walls stand for the other ring: only rounding differs");
   Figure figure{"rings_whole",

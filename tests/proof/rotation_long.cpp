@@ -7,14 +7,12 @@ namespace eerie::proof {
 namespace {
 
 TEST(RotatingRigidBody, TurnsAHundredTimes) {
-  Record record(
-      "validation", 31, "A rotating rigid body, 100 turns",
-      "An elastic sphere on a lattice of 0.2 R turns freely, omega = (2 pi/100) c/R (the "
-      "test of Sugiura's thesis). Rigid rotation must make no stress. With the gradient "
-      "corrected in stress rate and force, in the stress rate only (as in the paper), and "
-      "nowhere.");
-  Figure figure{"rotation", "Angular momentum of a freely turning elastic sphere",
-                "turns",    "L / L at the start",
+  Record record("validation", 31, "A rotating rigid body, 100 turns",
+                "An elastic sphere on a lattice of 0.2 R turns freely, omega = (2 pi/100) c/R "
+                "(the test of Sugiura's thesis). Rigid rotation must make no stress. The gradient "
+                "is corrected in stress rate and force, in the rate only (as in the paper), or "
+                "nowhere.");
+  Figure figure{"rotation", "Angular momentum",     "turns", "L / L at the start",
                 {},         "set yrange [-0.2:1.2]"};
   for (const char* gradient : {"corrected", "corrected-rate", "plain"}) {
     const Rotated r = rotated_sphere(gradient, 100);

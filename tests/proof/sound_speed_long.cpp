@@ -11,13 +11,13 @@ namespace {
 
 TEST(ReducedSoundSpeed, ChangesTheRemnantOnlyWhenTheImpactIsFastForIt) {
   Record record("validation", 70, "Reduced elastic moduli (the paper's Appendix A)",
-                "The reference impact (1,000 particles per target, two seeds, to 3e4 s) with A = B "
-                "and G scaled together, so that the bulk sound speed runs from 1 to 9.9 m/s. The "
-                "paper uses 3.14 m/s and finds in its Appendix A that ten times larger moduli (9.9 "
-                "m/s) change nothing. Viscous pressure grows with the sound speed, so a stiffer "
-                "body is a more viscous one as long as alpha h c is not small.");
+                "The reference impact (1,000 particles per target, two seeds, to 3e4 s) with A = "
+                "B and G scaled together: bulk sound speeds from 1 to 9.9 m/s. The paper uses "
+                "3.14 m/s; by its Appendix A ten times larger moduli (9.9 m/s) change nothing. "
+                "Viscous pressure grows with the sound speed, so a stiffer body is more viscous "
+                "unless alpha h c is small.");
   Figure figure{"sound-speed",
-                "Remnant of the reference impact against v_{imp}/c_s",
+                "Remnant against v_imp/c_s",
                 "v_{imp} / c_s",
                 "b/a, mass fraction, period / 10 h",
                 {},
@@ -57,10 +57,9 @@ TEST(ReducedSoundSpeed, ChangesTheRemnantOnlyWhenTheImpactIsFastForIt) {
   record.within("b/a at c_s 9.9 minus that at 3.14 m/s, means of two seeds", stiff - reference,
                 -0.06, 0.06, "Appendix A finds no difference; single runs scatter by 0.03");
   record.say(
-      "Towards softer material the answer moves from v/c_s of about 0.1 on: remnants become longer "
-      "and turn more slowly, since less viscosity acts, long before compression (v/c_s)^2 counts. "
-      "Towards stiffer material b/a rises slowly and up to a twentieth more of the mass stays in "
-      "debris.");
+      "With v/c_s above 0.1 remnants are stouter and turn faster, long before "
+      "compression (v/c_s)^2 counts. So they are at 9.9 m/s, b/a by no more than single "
+      "runs scatter. The mass hardly changes.");
   figure.curves = {shape, mass, period};
   record.figure(figure);
 }

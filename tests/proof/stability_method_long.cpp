@@ -21,11 +21,10 @@ ImpactEnd short_impact(json changes) {
 }
 
 TEST(OpeningAngle, MovesTheAngularMomentumBeforeAnythingElse) {
-  Record record(
-      "stability", 20, "Opening angle of the tree",
-      "Monopole and quadrupole of nodes smaller than theta times their distance. The pull of "
-      "a node on a particle has no exact partner, so the first thing to go is angular "
-      "momentum; lengths follow far later. Reference impact, 500 per target, to 4,000 s.");
+  Record record("stability", 20, "Opening angle of the tree",
+                "Monopole and quadrupole of nodes smaller than theta times their distance. The "
+                "pull of a node has no exact partner, so angular momentum goes first, lengths far "
+                "later.");
   Curve drift{"drift of L", {}, {}, dots},
       length{"|length / that of the direct sum - 1|", {}, {}, dots};
   double direct = 0, at_default = 0;
@@ -42,7 +41,7 @@ TEST(OpeningAngle, MovesTheAngularMomentumBeforeAnythingElse) {
   record.within("drift of L at the default, 0.35", at_default, 0, 1e-3,
                 "what a whole impact may lose");
   record.figure({"opening-angle",
-                 "Reference impact against the opening angle",
+                 "Length and drift of L",
                  "theta",
                  "",
                  {drift, length},
@@ -84,12 +83,11 @@ Spacing after_stirring(const char* kernel, double h_over_spacing) {
 }
 
 TEST(Neighbours, PairUnderTheCubicSplineBeyondItsRange) {
-  Record record(
-      "stability", 21, "Kernel and number of neighbours",
-      "A box of 512 particles of fluid under pressure, stirred by a third of a spacing and "
-      "left to come to rest: mean distance of nearest neighbours. The cubic spline pushes "
-      "less where particles are closer than 2h/3, so with too many neighbours they pair "
-      "(Dehnen & Aly 2012); Wendland kernels do not.");
+  Record record("stability", 21, "Kernel and number of neighbours",
+                "A box of 512 particles of fluid under pressure, stirred by a third of a spacing, "
+                "comes to rest. The cubic spline pushes less below distances of 2h/3, so with too "
+                "many neighbours particles pair (Dehnen & Aly 2012); under Wendland kernels they "
+                "do not.");
   Figure figure{"pairing",
                 "Mean distance of nearest neighbours (dashed: default)",
                 "h / spacing",
@@ -114,14 +112,12 @@ TEST(Neighbours, PairUnderTheCubicSplineBeyondItsRange) {
 }
 
 TEST(Viscosity, TradesPenetrationAgainstDamping) {
-  Record record(
-      "stability", 22, "Artificial viscosity",
-      "Two lines: the reference impact (500 per target, to 4,000 s) and a fast head-on one "
-      "(1 m/s, a third of the sound speed, to 400 s), against alpha with beta = 2 alpha. "
-      "Too little lets particles of one body fly into the other; too much takes the load "
-      "that friction should carry and keeps the pair short. The dual force leaves viscosity "
-      "no torque, so spin is safe at any alpha. Here alpha is that of the particles' own h. The "
-      "default keeps the viscosity of 50,000 particles, which is alpha 0.18 here (the line).");
+  Record record("stability", 22, "Artificial viscosity",
+                "The impact, and a fast head-on one (1 m/s, a third of the sound speed, to 400 "
+                "s). Too little viscosity lets particles of one body fly into the other; too much "
+                "takes the load of friction and keeps the pair short. The dual force leaves it no "
+                "torque: spin is safe at any alpha. Here alpha is that of the particles' own h; "
+                "the default, the viscosity of 50,000 particles, is 0.18 (the line).");
   Curve length{"length / 400 m", {}, {}, dots}, share{"viscous share of heat", {}, {}, dots},
       mixed{"mixed particles", {}, {}, dots}, drift{"drift of L x 1000", {}, {}, dots};
   double mixed_at_default = 0, mixed_at_one = 0;
@@ -159,8 +155,8 @@ TEST(Viscosity, TradesPenetrationAgainstDamping) {
   record.within("particles nearest to one of the other body, alpha 1, 1 m/s head-on", mixed_at_one,
                 0, 0.25, "those of the contact face, N^(-1/3) of all twice over");
   record.noted("the same, alpha 0.2", mixed_at_default, "0 to 0.25",
-               "an impact at a third of the sound speed wants more viscosity than the default's; "
-               "guards warn from a fifth on");
+               "such a fast impact wants more viscosity than the default's; guards warn from a "
+               "fifth of the sound speed on");
   record.figure({"viscosity",
                  "Impacts against alpha (beta = 2 alpha)",
                  "alpha",
@@ -171,12 +167,10 @@ TEST(Viscosity, TradesPenetrationAgainstDamping) {
 }
 
 TEST(ListSkin, CostsTimeAndChangesNothing) {
-  Record record(
-      "stability", 23, "Skin of the neighbour lists",
-      "Lists hold pairs up to 2h (1 + skin) and are rebuilt before an unlisted pair can "
-      "meet, so no skin makes a wrong sum; only the order of additions, and so the last "
-      "digits, differ. Reference impact, 500 per target, to 4,000 s; seconds over those of "
-      "the default, one run each on a noisy machine.");
+  Record record("stability", 23, "Skin of the neighbour lists",
+                "Lists hold pairs up to 2h (1 + skin) and are rebuilt before an unlisted pair can "
+                "meet, so no skin makes a wrong sum; only last digits differ. One run each on a "
+                "noisy machine.");
   std::vector<std::vector<std::string>> rows;
   double reference = 0, seconds = 0, largest = 0;
   for (const double skin : {0.1, 0.0, 0.02, 0.05, 0.2, 0.4}) {
@@ -194,11 +188,9 @@ TEST(ListSkin, CostsTimeAndChangesNothing) {
 }
 
 TEST(Precision, OfPairSumsDoesNotShow) {
-  Record record(
-      "stability", 24, "Single against double precision in pair sums",
-      "The state is double; rows of pair sums are kept relative to their bucket. Reference "
-      "impact, 500 per target, to 4,000 s, four seeds: the difference between precisions "
-      "against that between seeds.");
+  Record record("stability", 24, "Single against double precision in pair sums",
+                "The state is double; rows of pair sums are kept relative to their bucket. Four "
+                "seeds.");
   std::vector<std::vector<std::string>> rows;
   double largest = 0, low = 1e9, high = 0, drift = 0;
   for (const int seed : {1, 2, 3, 4}) {
@@ -223,12 +215,10 @@ TEST(Precision, OfPairSumsDoesNotShow) {
 }
 
 TEST(CorrectionMatrix, IsMissedMostWhereItIsLeftOut) {
-  Record record(
-      "stability", 25, "The correction matrix",
-      "L = C^-1 where det C > 0.01, else the identity: single particles, pairs, chains and "
-      "loose sheets have no gradient to correct. A full neighbourhood with a singular C "
-      "(trace C above 1.8; 1.2 is the most seen in impacts) stops the run. Reference impact, "
-      "500 per target, to 4,000 s.");
+  Record record("stability", 25, "The correction matrix",
+                "L = C^-1 where det C > 0.01, else the identity: single particles, pairs, chains "
+                "and loose sheets have no gradient to correct. A full neighbourhood with a "
+                "singular C (trace C above 1.8; impacts reach 1.2) stops the run.");
   Curve alone{"uncorrected fraction", {}, {}, "lines lw 2"};
   for (const char* gradient : {"corrected", "corrected-rate", "plain"}) {
     const Scene scene = impact_scene(
@@ -246,7 +236,7 @@ TEST(CorrectionMatrix, IsMissedMostWhereItIsLeftOut) {
     else
       record.noted(what, end.angular_momentum_drift, "below 1e-3",
                    "the reason for the correction in rate and force");
-    record.noted(std::string("length, m, ") + gradient, end.largest().shape.a, "", "");
+    record.noted(std::string("length, ") + gradient + ", m", end.largest().shape.a, "", "");
   }
   record.figure({"uncorrected",
                  "Particles without a correction matrix",

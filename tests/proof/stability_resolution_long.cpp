@@ -42,7 +42,7 @@ TEST(ParticleNumber, DecidesTheShapeMoreThanAnyOtherKnob) {
   record.within("b/a at 5,000 per target", fine, 0.18, 0.30,
                 "paper 0.24; single runs scatter by 0.03 with seed and resolution");
   record.figure({"particle-number",
-                 "b/a of the reference impact",
+                 "b/a against particles per target",
                  "particles per target",
                  "b/a",
                  {shape, paper},
@@ -50,12 +50,11 @@ TEST(ParticleNumber, DecidesTheShapeMoreThanAnyOtherKnob) {
 }
 
 TEST(ParticleNumber, HardlyChangesTheFirstSpreading) {
-  Record record(
-      "stability", 32, "Particle number, up to the paper's",
-      "The first 2,000 s of the reference impact (started at 1.3 contact distances), up to "
-      "the 50,000 particles per target of the paper: length and mass of the largest clump. "
-      "The spreading converges early; what depends on the number of particles is how the "
-      "cigar thins, breaks and falls back, and so the end (the entry above).");
+  Record record("stability", 32, "Particle number, up to the paper's",
+                "The first 2,000 s of the reference impact from 1.3 contact distances, up to the "
+                "paper's 50,000 per target. The spreading converges early; the number of "
+                "particles decides how the cigar thins, breaks and falls back, and so the end "
+                "(*Particle number*).");
   Curve length{"length at 2,000 s / that at 50,000", {}, {}, "linespoints lw 2 pt 7 ps 0.5"};
   std::vector<std::vector<std::string>> rows;
   std::vector<double> lengths;
@@ -77,7 +76,7 @@ TEST(ParticleNumber, HardlyChangesTheFirstSpreading) {
   record.within("length at 20,000 over that at 50,000", length.y[4], 0.95, 1.05, "the same, finer");
   record.figure(
       {"spreading",
-       "Length at 2,000 s against the number of particles",
+       "Length at 2,000 s",
        "particles per target",
        "length / that at 50,000",
        {length},
@@ -113,8 +112,8 @@ TEST(LateTimes, LeaveASettledRemnantAsItIs) {
                 1.03, "late debris falls in and changes the spin by its share, a percent or two");
   const auto [low, high] = std::minmax_element(period.y.begin() + 39, period.y.end());
   record.noted("longest over shortest period after 4e4 s", *high / *low, "1",
-               "the rate swings once in 4e4 s while the shape stands still, as that of a triaxial "
-               "body does which does not spin exactly about an axis; not looked into further");
+               "the rate swings once in 4e4 s while the shape stands still, as in a triaxial "
+               "body that spins off its axes; not looked into further");
   record.within("drift of L over 1e5 s", end.angular_momentum_drift, 0, 1e-3,
                 "what a whole impact may lose");
   record.figure({"creep",

@@ -16,19 +16,16 @@ namespace {
 constexpr double cfl_numbers[] = {0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.5};
 
 TEST(TimeStep, HasAMarginBelowWhereBodiesCannotRest) {
-  Record record(
-      "stability", 10, "Courant number",
-      "dt = cfl h/(c_l + h |div v|) with the longitudinal wave c_l = 4.6 m/s, which holds the "
-      "shear "
-      "wave; by the bulk sound speed alone (3.1 m/s) the same steps have a number 0.68 times as "
-      "large. A settled body of 500 particles is left alone for 3,000 s. What breaks first is "
-      "rest: "
-      "the shortest waves are fed by the integrator faster than viscosity damps them, particles "
-      "jitter, and approaching ones carry load by viscosity that friction does not feel. Blow-up "
-      "comes much later.");
+  Record record("stability", 10, "Courant number",
+                "dt = cfl h/(c_l + h |div v|) with the longitudinal wave c_l = 4.6 m/s, which "
+                "holds the shear wave; by the bulk sound speed (3.1 m/s) the number is 0.68 times "
+                "as large. A settled body of 500 particles is left alone for 3,000 s. Rest breaks "
+                "long before blow-up: the integrator feeds the shortest waves faster than "
+                "viscosity damps them, and jittering particles carry load by viscosity that "
+                "friction does not feel.");
   Figure figure{
       "cfl",
-      "Largest rms speed of a body left alone (10: the run failed)",
+      "Largest rms speed (10: the run failed)",
       "cfl",
       "rms speed / escape speed",
       {},
@@ -48,25 +45,22 @@ TEST(TimeStep, HasAMarginBelowWhereBodiesCannotRest) {
     }
     figure.curves.push_back(curve);
     if (integrator == "staggered")
-      record.within("largest cfl at which the body rests, staggered", largest_at_rest, 1.1, 1.5,
+      record.within("largest cfl at rest, staggered", largest_at_rest, 1.1, 1.5,
                     "the default of 1.1 must be among them");
     else
-      record.noted(fmt::format("largest cfl at which the body rests, {}", integrator),
-                   largest_at_rest, "1.1", "one evaluation a step, or two at one time, bear less");
+      record.noted(fmt::format("largest cfl at rest, {}", integrator), largest_at_rest, "1.1",
+                   "one evaluation a step, or two at one time, bear less");
   }
   const RestQuality q = rest_quality(impact_scene(500, {{"numerics", {{"cfl", 1.5}}}}), 3000);
-  record.noted("rms speed / escape speed at 1.5, the largest that a scene may ask for", q.rms_speed,
-               "below 1e-3",
-               "without the shear wave in the criterion the default would make steps of 1.61");
+  record.noted("rms speed / escape speed at 1.5, the largest of a scene", q.rms_speed, "below 1e-3",
+               "without the shear wave in the criterion the default would be 1.61");
   record.figure(figure);
 }
 
 TEST(TimeStep, OfAnImpactMayBeTwiceTheDefaultBeforeTheAnswerMoves) {
-  Record record(
-      "stability", 11, "Courant number in an impact",
-      "The reference impact at 500 particles per target, to 4,000 s: length of the largest "
-      "remnant and drift of angular momentum. The drift grows with the step, since the "
-      "correction of the dual force is one step old.");
+  Record record("stability", 11, "Courant number in an impact",
+                "The drift of angular momentum grows with the step, since the correction of the "
+                "dual force is one step old.");
   Curve length{"length / that at cfl 0.2", {}, {}, "linespoints lw 2 pt 7 ps 0.4"},
       drift{"drift of L x 1000", {}, {}, "linespoints lw 2 pt 7 ps 0.4"};
   double reference = 0, at_default = 0;
@@ -88,7 +82,7 @@ TEST(TimeStep, OfAnImpactMayBeTwiceTheDefaultBeforeTheAnswerMoves) {
                 "below the scatter between seeds, 5 to 10 % at this resolution");
   record.say(failures.empty() ? "No run failed up to cfl 1.5." : "Runs that failed: " + failures);
   record.figure({"cfl-impact",
-                 "Reference impact against the Courant number",
+                 "Length and drift of L against cfl",
                  "cfl",
                  "",
                  {length, drift},
@@ -96,17 +90,16 @@ TEST(TimeStep, OfAnImpactMayBeTwiceTheDefaultBeforeTheAnswerMoves) {
 }
 
 TEST(TimeStep, BlowsUpWhereElasticSurfacesStiffenIt) {
-  Record record(
-      "stability", 13, "Courant number of elastic material",
-      "The freely turning elastic sphere of the proof of rotation, over half a turn: how far its "
-      "radius is off (1: the run failed or the body burst). This is the blow-up boundary; rubble "
-      "has none below the largest cfl that a scene may ask for (1.5), since its surface carries no "
-      "stress. With the gradient corrected in rate and force the shortest waves of a surface are "
-      "faster by the largest eigenvalue of L (2 on a face, 3.5 at a corner), and the step is "
-      "shortened by it. Without that the boundary would lie between 0.25 and 0.5.");
+  Record record("stability", 13, "Courant number of elastic material",
+                "The freely turning elastic sphere over half a turn (error 1: the run failed or "
+                "the body burst). Rubble does not blow up below the largest cfl of a scene (1.5), "
+                "since its surface carries no stress. With the gradient corrected in rate and "
+                "force the shortest waves of a surface are faster by the largest eigenvalue of L "
+                "(2 on a face, 3.5 at a corner), which shortens the step. Else it would blow up "
+                "between 0.25 and 0.5.");
   Figure figure{
       "cfl-elastic",
-      "Error of the radius of a turning elastic sphere",
+      "Error of the radius",
       "cfl",
       "|radius / start - 1|",
       {},
@@ -136,13 +129,11 @@ TEST(TimeStep, BlowsUpWhereElasticSurfacesStiffenIt) {
 }
 
 TEST(GravityInterval, HasAMarginBelowWhereBodiesCannotRest) {
-  Record record(
-      "stability", 12, "Gravity every k steps",
-      "Gravity is evaluated every k steps of one dt and extrapolated linearly in between; "
-      "dt and everything else are held for the same k steps. A resting body of 500 "
-      "particles over 6,000 s, and the reference impact at 500 per target to 4,000 s. The "
-      "dynamical time (665 s) is about 500 steps. By default k follows from "
-      "numerics.gravity_tolerance: about 5 at the first approach and 25 at rest.");
+  Record record("stability", 12, "Gravity every k steps",
+                "Gravity is evaluated every k steps of one dt and extrapolated linearly in "
+                "between. A resting body of 500 particles over 6,000 s, and the impact. The "
+                "dynamical time (665 s) is about 500 steps. By default k follows from "
+                "`numerics.gravity_tolerance`: about 5 at the first approach, 25 at rest.");
   Curve rest{"rms speed / escape speed x 1000", {}, {}, "linespoints lw 2 pt 7 ps 0.4"},
       length{"length / that at k = 1", {}, {}, "linespoints lw 2 pt 7 ps 0.4"},
       drift{"drift of L x 1000", {}, {}, "linespoints lw 2 pt 7 ps 0.4"};

@@ -16,15 +16,14 @@ double slope(const Curve& c, std::size_t from, std::size_t to) {
 }
 
 TEST(TensionLong, StrengthFollowsTheRateWhereSeveralFlawsOfAParticleAreActive) {
-  Record record(
-      "validation", 63, "Tensile strength against strain rate",
-      "A cube of intact basalt is pulled apart evenly (Grady & Kipp 1980; Benz & Asphaug 1994, "
-      "1999: Weibull m = 9, k = 4e35 per m^3, cracks at 0.4 of the longitudinal wave). Where "
-      "several flaws of each particle are active, D^(1/3) grows with n^(1/3) c_g/R_s and the "
-      "largest mean tension in the middle of the cube follows rate^(3/(m + 3)) = rate^(1/4), "
-      "whatever the particles. One series takes particles as large as that needs (three active "
-      "flaws each, so 0.3 m at 1/s and 0.3 mm at 1e4/s). The other takes one cube of 14^3 "
-      "particles of 9.7 mm to rates where the law must bend.");
+  Record record("validation", 63, "Tensile strength against strain rate",
+                "A cube of intact basalt is pulled apart evenly (Grady & Kipp 1980; Benz & "
+                "Asphaug 1994, 1999: Weibull m = 9, k = 4e35 per m^3, cracks at 0.4 of the "
+                "longitudinal wave). Where several flaws of each particle are active, D^(1/3) "
+                "grows with n^(1/3) c_g/R_s, and the largest mean tension in the middle follows "
+                "rate^(3/(m + 3)) = rate^(1/4). One series fits particles to that (three active "
+                "flaws each: 0.3 m at 1/s, 0.3 mm at 1e4/s); one cube of 14^3 particles of 9.7 mm "
+                "goes to rates where the law must bend.");
   Curve fitted{"particles that fit the rate", {}, {}, "points pt 7 ps 0.6"},
       fixed{"one cube", {}, {}, "points pt 6 ps 0.6"},
       alone{"without inertia", {}, {}, "lines lw 1"}, law{"rate^(1/4)", {}, {}, "lines dt 2"};
@@ -71,11 +70,11 @@ TEST(TensionLong, StrengthFollowsTheRateWhereSeveralFlawsOfAParticleAreActive) {
                 fixed.y[0] * 1e6 / weakest, 1, 4,
                 "a lower bound; a crack in one particle does not break a cube");
   record.noted("one cube: exponent from 1600 to 3200/s", slope(fixed, 6, 7), "0.25",
-               "flaws are dealt until each particle has one, 8 on average: once all of them are "
-               "active cracks grow no faster, and strength rises with the rate itself");
+               "particles have 8 flaws on average: once all are active cracks grow no faster, "
+               "and strength rises with the rate itself");
   record.noted("one cube: exponent from 25 to 50/s", slope(fixed, 0, 1), "0.25",
                "below one active flaw a particle strength tends to the level of the first flaws, "
-               "and would fall further only while stress is passed on to them");
+               "and falls further only while stress is passed on to them");
   record.table({"rate, 1/s", "strength, MPa", "over the continuum's",
                 "active flaws per particle "
                 "(k V eps^m)",
@@ -83,7 +82,7 @@ TEST(TensionLong, StrengthFollowsTheRateWhereSeveralFlawsOfAParticleAreActive) {
                rows);
   record.figure(
       {"tension",
-       "Largest mean tension of a basalt cube pulled apart at constant rate",
+       "Largest mean tension",
        "strain rate of each direction (1/s)",
        "strength (MPa)",
        {law, fitted, fixed, alone},

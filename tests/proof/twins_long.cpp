@@ -36,12 +36,11 @@ Coverage coverage(const tree::NeighbourList& lists, const std::vector<Vec3>& x, 
 }
 
 TEST(BruteForce, AgreesWithTheFastCodeInTheMiddleOfAnImpact) {
-  Record record(
-      "validation", 12, "Fast code against brute force",
-      "The state of the reference impact (1,000 per target) at 6,000 s, a cigar with "
-      "ejecta: neighbour lists against all pairs, the tree's gravity against the direct "
-      "sum, remnants by friends-of-friends against a walk over all pairs. `make test` does "
-      "the same on a dozen clouds of points, and axes and spins of exact ellipsoids.");
+  Record record("validation", 12, "Fast code against brute force",
+                "The reference impact (1,000 per target) at 6,000 s, a cigar with ejecta: "
+                "neighbour lists and remnants by friends-of-friends against all pairs, gravity "
+                "against the direct sum. `make test` does so for a dozen clouds of points, and "
+                "axes and spins of exact ellipsoids.");
   particles::State s;
   const Scene scene = impact_scene(1000, nlohmann::json::object());
   followed(scene, 6000, 1, [&](const step::Solver& solver) { s = solver.state(); });
@@ -93,7 +92,7 @@ TEST(BruteForce, AgreesWithTheFastCodeInTheMiddleOfAnImpact) {
                 "the same pieces");
   record.within("particles in another clump", split, 0, 0, "the same particles in them");
   record.figure({"gravity-error",
-                 "Error of gravity against the direct sum (quadrupoles)",
+                 "Error of gravity (quadrupoles)",
                  "opening angle",
                  "relative error",
                  {error},

@@ -34,7 +34,8 @@ void add_pictures(CLI::App& app, PictureArguments& a) {
       ->check(CLI::Range(1e-3, 1e9));
 }
 
-Answer draw_pictures(const PictureArguments& a, const std::filesystem::path& folder) {
+Answer draw_pictures(const PictureArguments& a, const std::filesystem::path& folder,
+                     Format format) {
   run_pictures::PictureRequest request = a.request;
   if (request.panels.empty() && !a.times.empty())
     throw InputError("--panels needs the file to draw into; for example -o panels.svg");
@@ -46,7 +47,7 @@ Answer draw_pictures(const PictureArguments& a, const std::filesystem::path& fol
   std::vector<std::filesystem::path> files;
   for (const auto& file : {request.panels, request.film})
     if (!file.empty()) text::require_folder_of(file), files.push_back(file);
-  CountLine line("frames drawn:");
+  CountLine line("frames drawn:", format);
   run_pictures::DrawnPictures drawn = run_pictures::draw(
       request, folder, [&](std::size_t done, std::size_t all) { line.show(done, all); });
   const char* centre = drawn.frame.on_largest ? "largest remnant" : "centre of mass";

@@ -23,6 +23,7 @@ void add_pictures(CLI::App& app, PictureArguments& arguments);
 /// "remnants_outside"}],
 ///  "frames", "frame_width_m", "centred_on", "pictures": [file...]}.
 /// Throws InputError for what cannot be drawn.
-Answer draw_pictures(const PictureArguments& arguments, const std::filesystem::path& folder);
+Answer draw_pictures(const PictureArguments& arguments, const std::filesystem::path& folder,
+                     Format format);
 
 }  // namespace eerie::cli

@@ -26,7 +26,6 @@ void CampaignWatch::measured(std::span<const manager::Split> splits) {
 }
 
 void CampaignWatch::at_work(const manager::CampaignView& view) {
-  if (out_.format == Format::nothing) return;
   line_.show([&](std::size_t width, bool on_terminal) {
     return progress_fitting(view, width, on_terminal);
   });

@@ -11,7 +11,8 @@ namespace eerie::cli {
 /// Shows a campaign at work: what begins, and the progress.
 class CampaignWatch : public studies::StudyObserver, public auto_fidelity::AutoObserver {
  public:
-  CampaignWatch(std::string name, Output& out) : name_(std::move(name)), out_(out) {}
+  CampaignWatch(std::string name, Output& out)
+      : name_(std::move(name)), out_(out), line_(out.format) {}
   ~CampaignWatch() override { line_.finish(); }
 
   void waits(const std::string& reason) override;

@@ -18,14 +18,15 @@ constexpr std::chrono::seconds between_lines{10};
 
 }  // namespace
 
-StatusLine::StatusLine()
-    : terminal_(process::terminal_at(STDERR_FILENO)),
+StatusLine::StatusLine(Format format)
+    : wanted_(format != Format::nothing),
+      terminal_(process::terminal_at(STDERR_FILENO)),
       next_(std::chrono::steady_clock::now() +
             (terminal_.is_one ? std::chrono::seconds(0) : between_lines)) {}
 
 void StatusLine::show(const Text& look) {
   const auto now = std::chrono::steady_clock::now();
-  if (now < next_) return;
+  if (!wanted_ || now < next_) return;
   next_ = now + (terminal_.is_one ? between_looks : between_lines);
   if (!terminal_.is_one) {
     if (const std::string line = look(0, false); !line.empty()) complain(line);

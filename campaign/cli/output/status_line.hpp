@@ -5,15 +5,16 @@
 #include <optional>
 #include <string>
 
-#include "campaign/process/standard_streams.hpp"
+#include "campaign/cli/output/output.hpp"
 
 namespace eerie::cli {
 
 /// A line about the present state, on standard error. On a terminal it is redrawn twice a second
-/// and always fits; elsewhere a line is written at most every ten seconds.
+/// and always fits; elsewhere a line is written at most every ten seconds. Whoever wants no answer
+/// wants no progress either.
 class StatusLine {
  public:
-  StatusLine();
+  explicit StatusLine(Format format);
   /// `text` returns a line of at most `width` columns (0: no limit). It may say more where people
   /// look on.
   using Text = std::function<std::string(std::size_t width, bool on_terminal)>;
@@ -23,6 +24,7 @@ class StatusLine {
  private:
   void draw(const std::string& text);
 
+  bool wanted_;
   process::Terminal terminal_;
   std::size_t drawn_ = 0;  ///< columns of the line on the terminal
   std::chrono::steady_clock::time_point next_;
@@ -47,7 +49,7 @@ class Eta {
 /// Shows "examined 3 of 15 | ETA 20 s" on a terminal, and clears the line at the end.
 class CountLine {
  public:
-  explicit CountLine(std::string verb) : verb_(std::move(verb)) {}
+  CountLine(std::string verb, Format format) : verb_(std::move(verb)), line_(format) {}
   ~CountLine() { line_.finish(); }
   CountLine(const CountLine&) = delete;
   CountLine& operator=(const CountLine&) = delete;

@@ -26,11 +26,11 @@ Answer analyse_snapshot(const AnalyseArguments& a) {
   return answer;
 }
 
-Answer analyse_database(const AnalyseArguments& a) {
+Answer analyse_database(const AnalyseArguments& a, Format format) {
   db::Connection(a.database, db::Access::read_any);  // there, and ours
   const db::Lock lock(a.database);
   db::Connection connection(a.database, db::Access::write);
-  CountLine line("analysed");
+  CountLine line("analysed", format);
   const worker::Reanalysis report = worker::reanalyse(
       connection, [&](std::size_t done, std::size_t all) { line.show(done, all); });
   Answer answer(report.skipped.empty() ? ExitCode::done : ExitCode::job_failed);
@@ -40,12 +40,12 @@ Answer analyse_database(const AnalyseArguments& a) {
   return answer;
 }
 
-Answer analyse(const AnalyseArguments& a) {
+Answer analyse(const AnalyseArguments& a, Format format) {
   if (a.snapshot.empty() == a.database.empty())
     throw InputError(
         "analyse: give either a snapshot file or --db DATABASE, whose finished jobs are all "
         "analysed again");
-  return a.database.empty() ? analyse_snapshot(a) : analyse_database(a);
+  return a.database.empty() ? analyse_snapshot(a) : analyse_database(a, format);
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ Action add_analyse(CLI::App& app) {
   app.add_option("SNAPSHOT", a->snapshot, "snapshot file (.hdf5)");
   app.add_option("--db", a->database, "analyse every finished job of this database again");
   add_formats(app);
-  return [a](Output&) { return analyse(*a); };
+  return [a](Output& out) { return analyse(*a, out.format); };
 }
 
 }  // namespace eerie::cli

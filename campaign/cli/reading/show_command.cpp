@@ -83,9 +83,9 @@ Answer answer_of(json r, Table attempts) {
   return answer;
 }
 
-Answer show(const ShowArguments& a) {
+Answer show(const ShowArguments& a, Format format) {
   if (a.pictures.wanted())
-    return draw_pictures(a.pictures, queries::folder_of(a.database, a.job).path);
+    return draw_pictures(a.pictures, queries::folder_of(a.database, a.job).path, format);
   if (queries::is_folder(a.job))
     throw InputError(
         fmt::format("JOB = {}: of a folder only pictures are shown; for example -o panels.svg, "
@@ -107,7 +107,7 @@ Action add_show(CLI::App& app) {
   add_database(app, a->database);
   add_pictures(app, a->pictures);
   add_formats(app);
-  return [a](Output&) { return show(*a); };
+  return [a](Output& out) { return show(*a, out.format); };
 }
 
 }  // namespace eerie::cli

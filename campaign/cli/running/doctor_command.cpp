@@ -14,8 +14,8 @@ struct DoctorArguments {
   bool fix = false;
 };
 
-std::vector<Problem> problems_of(const DoctorArguments& a) {
-  CountLine line("examined");
+std::vector<Problem> problems_of(const DoctorArguments& a, Format format) {
+  CountLine line("examined", format);
   const auto show = [&](std::size_t done, std::size_t all) { line.show(done, all); };
   if (!a.fix) return manager::examine(db::Connection(a.database, db::Access::read), show);
   db::Connection(a.database, db::Access::read_any);  // there, and ours
@@ -24,8 +24,8 @@ std::vector<Problem> problems_of(const DoctorArguments& a) {
   return manager::mend(connection, show);
 }
 
-Answer doctor(const DoctorArguments& a) {
-  const std::vector<Problem> problems = problems_of(a);
+Answer doctor(const DoctorArguments& a, Format format) {
+  const std::vector<Problem> problems = problems_of(a, format);
   const auto holder = a.fix ? std::nullopt : db::lock_holder(a.database);
   const bool well =
       std::ranges::all_of(problems, [](const Problem& p) { return p.mended || p.is_note; });
@@ -57,7 +57,7 @@ Action add_doctor(CLI::App& app) {
   add_database(app, a->database);
   app.add_flag("--fix", a->fix, "mend what can be mended without losing anything");
   add_formats(app);
-  return [a](Output&) { return doctor(*a); };
+  return [a](Output& out) { return doctor(*a, out.format); };
 }
 
 }  // namespace eerie::cli

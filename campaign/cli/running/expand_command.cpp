@@ -87,7 +87,9 @@ Answer expand(const ExpandArguments& a) {
       "about {:.3g} core-hours for all of them, at {} particle-steps per second and core ({})\n",
       e.core_hours, magnitude(e.speed),
       e.measured ? "as measured in this database" : "assumed: nothing is measured yet");
-  say_advice(answer, overview::advice(plan.scenes, e.speed));
+  // A remnant has the particles that it has.
+  if (plan.scenes.front().target.remnant.file.empty())
+    say_advice(answer, overview::advice(plan.scenes, e.speed));
   for (const std::string& warning : warned) answer.warn(warning);
   return answer;
 }

@@ -12,6 +12,7 @@
 #include "campaign/process/cores.hpp"
 #include "campaign/process/signals.hpp"
 #include "campaign/sweeps/job.hpp"
+#include "campaign/sweeps/remnant_files.hpp"
 #include "campaign/sweeps/sweep.hpp"
 #include "campaign/text/given_folder.hpp"
 #include "campaign/text/json_file.hpp"
@@ -95,13 +96,15 @@ Answer report(const Scene& scene, const SolveArguments& a, const worker::Compute
   return answer;
 }
 
-Answer solve(const SolveArguments& a) {
+Answer solve(const SolveArguments& a, Format format) {
   const auto [scene, replaced] = sweeps::load_scene(a.scene, a.changes);
   print_warnings(replaced);
   print_warnings(warnings(scene));
   process::catch_stop_signals();
   const job_folder::JobDirectory directory{a.directory};
   worker::require_own_folder(directory, scene);
+  // Work that was begun holds its bodies already.
+  if (!fs::exists(a.directory)) sweeps::require_remnants({&scene, 1});
   text::make_given_folder(a.directory);
   const job_folder::WorkerLock lock(directory);
   worker::require_own_folder(directory, scene);  // as whoever held the lock left it
@@ -110,7 +113,7 @@ Answer solve(const SolveArguments& a) {
   worker::keep_scene(directory, scene, a.scene);
   job_folder::open_log(directory);
   const int threads = a.threads > 0 ? a.threads : process::usable_threads();
-  StatusLine line;
+  StatusLine line(format);
   Eta eta;
   const double expected_end_s = sweeps::expected_end_s(scene);
   const worker::Computed computed =
@@ -133,7 +136,7 @@ Action add_solve(CLI::App& app) {
       ->check(CLI::Range(1, most_threads));
   add_changes(app, a->changes);
   add_formats(app);
-  return [a](Output&) { return solve(*a); };
+  return [a](Output& out) { return solve(*a, out.format); };
 }
 
 }  // namespace eerie::cli

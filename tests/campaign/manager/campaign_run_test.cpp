@@ -8,7 +8,7 @@ namespace eerie::manager {
 namespace {
 
 struct Planned {
-  Scene scene{};
+  Scene scene;
 };
 
 TEST(Affordable, SpendsNoMoreThanItsBudget) {
