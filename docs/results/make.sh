@@ -5,7 +5,9 @@ set -eu
 eerie=${EERIE:-build/eerie}
 out=docs/results
 db=${1:-$out/table2.sqlite}
-of="--db $db --fidelity standard"
+# Impacts of `standard`; other settings answer single statements of the paper.
+of="--db $db --settings 1"
+runs="--db $db --where settings=1"
 columns=hash,q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,v_over_v_esc,seed,fidelity,class,m_lr_over_m_total
 columns=$columns,m_slr_over_m_total,b_over_a,c_over_a,period_h,eer,n_eer,n_remnants,settled
 columns=$columns,ended_at_s,end_reason,dL_over_L,particle_steps,wall_s,solver_version
@@ -13,7 +15,7 @@ columns=$columns,ended_at_s,end_reason,dL_over_L,particle_steps,wall_s,solver_ve
 draw() { # NAME Q PHI_D: the maps of one series, and the ridge where there is one
   map="$of --q $2 --phi-d $3"
   # A map of a few cells says nothing yet.
-  [ "$($eerie query $map --columns hash --format csv 2> /dev/null | tail -n +2 | wc -l)" -ge 20 ] || return 0
+  [ "$($eerie query $runs --q $2 --phi-d $3 --columns hash --format csv | tail -n +2 | wc -l)" -ge 20 ] || return 0
   $eerie map $map -o $out/$1-b-over-a.svg
   $eerie map $map --quantity class,p-eer,m-lr,period -o $out/$1-panels.png
   rm -f $out/$1-panels.csv # the same numbers as in $1-b-over-a.csv
@@ -28,9 +30,9 @@ draw fig6 0.5 50
 draw q025 0.25 50
 draw phi30 1 30
 
-$eerie threshold --db $db -o $out/threshold.csv > /dev/null
+$eerie threshold $of -o $out/threshold.csv > /dev/null
 $eerie check --db $db > $out/check.txt
 $eerie odds $of -o $out/odds.svg -o $out/odds.csv > /dev/null
-$eerie query --db $db --columns $columns -o $out/results.csv
-$eerie query --db $db --of remnants -o $out/remnants.csv
-$eerie sizes $of -o $out/sizes.svg > /dev/null
+$eerie query $runs --columns $columns -o $out/results.csv
+$eerie query $runs --of remnants -o $out/remnants.csv
+$eerie sizes $runs -o $out/sizes.svg > /dev/null
