@@ -17,7 +17,7 @@ run: build  ## run the first sweep: 15 impacts, a table of outcomes, the b/a map
 build: packages-run $(BUILD)/build.ninja  ## build the program, optimised for this machine
 	@cmake --build $(BUILD) -j $(JOBS) --target eerie -- --quiet
 
-test: packages-test  ## build and run the tests (about 10 minutes on 2 cores)
+test: packages-test  ## build and run the tests (under 30 minutes on 2 cores)
 	@cmake -S . -B $(BUILD) -G Ninja -DEERIE_TESTS=ON
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE long
