@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "campaign/sweeps/beginnings.hpp"
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/job.hpp"
-#include "campaign/sweeps/remnant_files.hpp"
 #include "campaign/text/given_file.hpp"
 #include "campaign/text/json_file.hpp"
 
@@ -15,7 +15,7 @@ Plan plan(const nlohmann::json& document, const std::vector<std::string>& overri
           const std::string& where) {
   Sweep sweep = parse_sweep(document, overrides, where);
   std::vector<Scene> scenes = expand(sweep);
-  require_remnants(scenes);
+  require_beginnings(scenes);
   std::vector<db::NewJob> jobs = identify(scenes);
   return {std::move(sweep), std::move(scenes), std::move(jobs)};
 }

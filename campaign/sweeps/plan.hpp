@@ -19,8 +19,8 @@ struct Plan {
   std::vector<std::string> replaced = {};  ///< SceneChanges::replaced() of the file
 };
 
-/// Takes a sweep from its file towards the database: parse and check, expand, look at the
-/// remnants it names, identify. store() is the last step. Throws InputError, which names file,
+/// Takes a sweep from its file towards the database: parse and check, expand, see whether
+/// each can begin, identify. store() is the last step. Throws InputError, which names file,
 /// field, value, range and mend.
 Plan plan(const nlohmann::json& document, const std::vector<std::string>& overrides,
           const std::string& where);

@@ -115,14 +115,18 @@ Start back_from(const RelativeOrbit& at_contact, double contact_at, double dista
 RelativeOrbit orbit_before_contact(const RelativeOrbit& at_contact, double mu, double distance,
                                    const Tide& tide, double share) {
   const Approach approach(mu, tide, share);
-  // Where the primary is at contact depends on how long the bodies have come; means of two guesses
-  // do not swing.
-  constexpr int rounds = 80;
-  double lead = 0;
+  // Where the primary is at contact depends on how long the bodies have come: the secant method.
+  constexpr int rounds = 30;
+  double before = 0, off_before = back_from(at_contact, before, distance, approach).lead;
+  double lead = off_before;
   for (int k = 0; k < rounds; ++k) {
     const Start start = back_from(at_contact, lead, distance, approach);
-    if (std::abs(start.lead - lead) <= 1e-9 * start.lead) return start.orbit;
-    lead = (lead + start.lead) / 2;
+    const double off = start.lead - lead;
+    if (std::abs(off) <= 1e-9 * start.lead) return start.orbit;
+    const double next = lead - off * (lead - before) / (off - off_before);
+    before = lead, off_before = off;
+    if (!(next > 0 && std::isfinite(next))) break;
+    lead = next;
   }
   throw InputError(fmt::format(
       "scene.impact.separation: on the way of the bodies from {:.4g} m apart to their contact the "

@@ -11,8 +11,8 @@
 #include "campaign/job_folder/worker_lock.hpp"
 #include "campaign/process/cores.hpp"
 #include "campaign/process/signals.hpp"
+#include "campaign/sweeps/beginnings.hpp"
 #include "campaign/sweeps/job.hpp"
-#include "campaign/sweeps/remnant_files.hpp"
 #include "campaign/sweeps/sweep.hpp"
 #include "campaign/text/given_folder.hpp"
 #include "campaign/text/json_file.hpp"
@@ -104,7 +104,7 @@ Answer solve(const SolveArguments& a, Format format) {
   const job_folder::JobDirectory directory{a.directory};
   worker::require_own_folder(directory, scene);
   // Work that was begun holds its bodies already.
-  if (!fs::exists(a.directory)) sweeps::require_remnants({&scene, 1});
+  if (!fs::exists(a.directory)) sweeps::require_beginnings({&scene, 1});
   text::make_given_folder(a.directory);
   const job_folder::WorkerLock lock(directory);
   worker::require_own_folder(directory, scene);  // as whoever held the lock left it
