@@ -14,6 +14,7 @@
 #include "campaign/text/given_file.hpp"
 #include "campaign/text/plain_text.hpp"
 #include "solver/base/text/shell_word.hpp"
+#include "solver/scene/tide.hpp"
 
 namespace eerie::overview {
 using db::ResultRow;
@@ -37,10 +38,7 @@ bool varies(const sweeps::Sweep& sweep, const std::string& path) {
          std::ranges::find(sweep.points.paths, path) != sweep.points.paths.end();
 }
 
-bool flies(const sweeps::Plan& plan) {
-  return std::ranges::all_of(plan.scenes,
-                             [](const Scene& scene) { return scene.numerics.rigid_flight; });
-}
+bool flies(const sweeps::Plan& plan) { return std::ranges::all_of(plan.scenes, may_fly); }
 
 /// When impacts that had not settled by then may have: flight to a meeting takes next to no time to
 /// compute, else twice the time. Nothing where that is later than any run may end.

@@ -85,15 +85,12 @@ run::LookAnswer Watch::look(const io::Snapshot& snapshot, const run::LookQuestio
             softening(snapshot, found, ending::horizon(scene_.end, snapshot.state.time));
         to != snapshot.state.softening)
       return run::Soften{to};
-  if (may_fly())
+  if (may_fly(scene_))
     if (auto landing = ending::flight_from(snapshot, question.until, looks_.rows(), found,
                                            [this] { return stop_(); }))
       return run::Fly{*std::move(landing)};
   return run::GoOn{};
 }
-
-/// Orbits of remnants, and flights along them, know no tide.
-bool Watch::may_fly() const { return scene_.numerics.rigid_flight && !has_primary(scene_); }
 
 /// Several remnants about a primary meet or part by orbits that nobody predicts.
 bool Watch::is_unpredictable(const remnants::Remnants& found) const {
@@ -113,7 +110,7 @@ particles::Softening Watch::softening(const io::Snapshot& snapshot, const remnan
                                       double horizon) const {
   const particles::Softening now = snapshot.state.softening;
   if (is_unpredictable(found)) return {};
-  if (may_fly() && ending::impact_ahead(found, scene_.end.settled)) return now;
+  if (may_fly(scene_) && ending::impact_ahead(found, scene_.end.settled)) return now;
   const double late = softest_sound_speed(scene_), sound = bulk_sound_speed(scene_);
   if (ending::liveliness(looks_.rows(), found, horizon, late * sound, scene_.end.settled).empty())
     return {late, true};
@@ -134,7 +131,7 @@ bool Watch::end_matters(const io::Snapshot& snapshot, const run::LookQuestion& q
     return !ending::encounters(found_, mass, horizon, settled).empty();
   };
   // A flight lasts until nothing is ahead, asked again on its way, where less time is left.
-  if (may_fly() && ending::restlessness(looks_.rows(), settled).empty() && is_ahead(all))
+  if (may_fly(scene_) && ending::restlessness(looks_.rows(), settled).empty() && is_ahead(all))
     return true;
   if (seen >= all) return false;
   if (ending::unsteadiness(looks_.rows(), settled).empty() && is_ahead(seen) != is_ahead(all))

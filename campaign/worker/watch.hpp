@@ -26,7 +26,6 @@ class Watch {
 
  private:
   run::LookAnswer look(const io::Snapshot& snapshot, const run::LookQuestion& question);
-  bool may_fly() const;
   bool is_unpredictable(const remnants::Remnants& found) const;
   bool is_settled(const io::Snapshot& snapshot, const remnants::Remnants& found) const;
   /// `horizon` is the time ahead for which encounters matter, s.

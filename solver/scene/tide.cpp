@@ -14,6 +14,8 @@ namespace eerie {
 
 bool has_primary(const Scene& scene) { return scene.environment.primary.mass_kg > 0; }
 
+bool may_fly(const Scene& scene) { return scene.numerics.rigid_flight && !has_primary(scene); }
+
 Scene without_primary(Scene scene) {
   scene.environment.primary = {};
   return scene;

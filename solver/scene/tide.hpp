@@ -9,6 +9,8 @@ namespace eerie {
 
 /// Whether the bodies are about a heavier one (scene.environment.primary).
 bool has_primary(const Scene& scene);
+/// Whether remnants may fly as rigid bodies (numerics.rigid_flight). Flights know no tide.
+bool may_fly(const Scene& scene);
 /// The same impact far from everything.
 Scene without_primary(Scene scene);
 

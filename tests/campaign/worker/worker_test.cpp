@@ -1,6 +1,8 @@
 #include "campaign/worker/worker.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
 
 #include "campaign/job_folder/result_file.hpp"
 #include "solver/base/file.hpp"
@@ -26,6 +28,27 @@ TEST(Worker, BringsItsJobToAResultAndRemovesItsCheckpoints) {
   EXPECT_TRUE(fs::exists(directory.heartbeat()));
   EXPECT_FALSE(fs::exists(directory.checkpoint()));
   EXPECT_FALSE(fs::exists(directory.previous_checkpoint()));
+}
+
+TEST(Worker, EndsEarlyAboutAPrimaryOnlyWithASingleRemnantLeft) {
+  // Two bodies that scratch each other and part.
+  nlohmann::json scratch = {
+      {"impact", {{"v_imp_cm_per_s", 60}, {"theta_imp_deg", 70}}},
+      {"end", {{"time_s", 2500}, {"settled", {{"window_s", 400}, {"shape", 0.5}, {"spin", 1}}}}}};
+  const auto end_of = [](const nlohmann::json& changes) {
+    const test::TemporaryFolder folder;
+    return compute(test::short_impact(changes), folder.path(), 1, 0, {});
+  };
+  const Computed alone = end_of(scratch);
+  EXPECT_EQ(alone.summary.reason, run::EndReason::settled);
+  EXPECT_LT(alone.summary.progress.time, 2000);
+  EXPECT_TRUE(alone.analysis.settled);
+
+  scratch["environment"]["primary"] = {{"mass_kg", 1e6}, {"radius_m", 10}, {"distance_m", 1e6}};
+  const Computed about = end_of(scratch);
+  EXPECT_EQ(about.summary.reason, run::EndReason::end_time);
+  EXPECT_THAT(about.analysis.unsettled_reason,
+              testing::HasSubstr("2 remnants go about the primary"));
 }
 
 }  // namespace
