@@ -26,17 +26,14 @@ const eerie::proof::Page pages[] = {
      "Made by `make validate`; do not edit. Each entry is a test. All checks with unit and reason: "
      "[validation.csv](validation.csv). Of three and more that hold for one reason, only the one "
      "nearest to its bounds is shown here. What is *noted* one would wish otherwise. Quick forms "
-     "of "
-     "the proofs run in `make test`."},
+     "of the proofs run in `make test`."},
     {"stability",
      "# Where do methods fail?\n\n**Question.** Which knob of the method breaks what, and how far "
      "from that is the default?",
      "Made by `make validate`; do not edit. For each knob: what breaks first when it is turned too "
      "far. Unless said otherwise, the run is the reference impact with 500 particles per target, "
-     "to "
-     "4,000 s. All checks with unit and reason: [stability.csv](stability.csv). What is *noted* "
-     "one "
-     "would wish otherwise. A scene that crosses one of these lines is refused, or runs with a "
+     "to 4,000 s. All checks with unit and reason: [stability.csv](stability.csv). What is *noted* "
+     "one would wish otherwise. A scene that crosses one of these lines is refused, or runs with a "
      "warning (`solver/scene/guards.cpp`)."}};
 
 }  // namespace
