@@ -16,7 +16,7 @@ namespace eerie::sweeps {
 
 double mutual_escape_speed(const Scene& scene) {
   return eerie::mutual_escape_speed({scene.target.radius_m, scene.material.rho0_kg_per_m3},
-                                    scene.impact.q);
+                                    impactor_radius(scene), scene.impact.q);
 }
 
 /// Medians over some 400 runs of the study of convergence, s: until remnants that do not wait for

@@ -139,13 +139,12 @@ def fields(schema, path=""):
         if field["type"] == "object":
             yield from fields(field, here)
         else:
-            default = field.get("default")
+            default = field.get("default", "")
             shown = f"{default:g}" if isinstance(default, (int, float)) and not isinstance(
                 default, bool) else json.dumps(default).strip('"')
             yield here, shown, range_of(field), field["description"]
             if field["type"] == "array" and field["items"]["type"] == "object":
-                yield from ((f"{a}", b if b != "null" else "", c, d)
-                            for a, b, c, d in fields(field["items"], here + "[]"))
+                yield from fields(field["items"], here + "[]")
 
 
 def scene(_):

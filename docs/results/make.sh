@@ -12,16 +12,18 @@ columns=hash,q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,v_over_v_esc,seed,fidelity
 columns=$columns,m_slr_over_m_total,b_over_a,c_over_a,period_h,eer,n_eer,n_remnants,settled
 columns=$columns,ended_at_s,end_reason,dL_over_L,particle_steps,wall_s,solver_version
 
-draw() { # NAME Q PHI_D: the maps of one series, and the ridge where there is one
+draw() { # NAME Q PHI_D: the maps of one series into a folder, and the ridge where there is one
+  to=$out/$1
   map="$of --q $2 --phi-d $3"
   # A map of a few cells says nothing yet.
   [ "$($eerie query $runs --q $2 --phi-d $3 --columns hash --format csv | tail -n +2 | wc -l)" -ge 20 ] || return 0
-  $eerie map $map -o $out/$1-b-over-a.svg
-  $eerie map $map --quantity class,p-eer,m-lr,period -o $out/$1-panels.png
-  rm -f $out/$1-panels.csv # the same numbers as in $1-b-over-a.csv
-  if $eerie threshold $map > $out/$1-threshold.txt; then
+  mkdir -p $to
+  $eerie map $map -o $to/b-over-a.svg
+  $eerie map $map --quantity class,p-eer,m-lr,period -o $to/panels.png
+  rm -f $to/panels.csv # the same numbers as in b-over-a.csv
+  if $eerie threshold $map > $to/threshold.txt; then
     # Where no ridge is fitted there is nothing to draw.
-    $eerie threshold $map -o $out/$1-threshold.svg > /dev/null 2>&1 || rm -f $out/$1-threshold.svg
+    $eerie threshold $map -o $to/threshold.svg > /dev/null 2>&1 || rm -f $to/threshold.svg
   fi
 }
 draw fig2 1 40

@@ -17,6 +17,7 @@
 #include "solver/initial/remnant_body.hpp"
 #include "solver/scene/body_shape.hpp"
 #include "solver/scene/tide.hpp"
+#include "solver/scene/two_materials.hpp"
 #include "solver/step/solver.hpp"
 
 namespace eerie::initial {
@@ -39,6 +40,11 @@ double radius_of(const Scene& scene, particles::Body body) {
   return body == particles::Body::target ? scene.target.radius_m : impactor_radius(scene);
 }
 
+material::Material material_of(const Scene& scene, particles::Body body) {
+  return material::make_material(body == particles::Body::target ? scene.material
+                                                                 : impactor_material(scene));
+}
+
 Vec3 spin_of(const Scene& scene, particles::Body body) {
   return spin(body == particles::Body::target ? scene.target.spin : scene.impactor.spin);
 }
@@ -58,7 +64,7 @@ using Stop = std::function<bool()>;
 particles::State at_rest(const Scene& scene, particles::Body body, std::size_t n,
                          const Stop& stop) {
   const double radius = radius_of(scene, body);
-  const material::Material material = material::make_material(scene);
+  const material::Material material = material_of(scene, body);
   Random random(static_cast<std::uint64_t>(scene.numerics.seed), static_cast<std::uint64_t>(body));
   particles::State s;
   particles::resize(s, n);
@@ -66,7 +72,7 @@ particles::State at_rest(const Scene& scene, particles::Body body, std::size_t n
   s.h = smoothing_length(scene);
   const BodyShape shape = shape_of(scene, body);
   s.x = packed_body(shape, scene.numerics.packing, n, radius, random, stop);
-  const double p_centre = central_pressure({radius, scene.material.rho0_kg_per_m3});
+  const double p_centre = central_pressure({radius, material.reference_density});
   for (std::size_t i = 0; i < n; ++i) {
     s.id[i] = static_cast<std::uint32_t>(i);
     s.body[i] = static_cast<std::uint8_t>(body);
@@ -151,7 +157,9 @@ std::string body_hash(const Scene& scene, particles::Body body) {
   constexpr Scene::Shape sphere{1, 1, 0};
   if (body == particles::Body::target) {
     only.impact.q = 1;
-    only.impactor = {at_rest, sphere};
+    // Its density sets the unit of smoothing lengths, and where it coheres nothing sees voids.
+    only.impactor = {at_rest, sphere, only.impactor.material};
+    only.impactor.material.phi_d_deg.reset();
   } else {
     only.target.spin = at_rest, only.target.shape = sphere, only.target.remnant = {};
   }
@@ -167,7 +175,7 @@ Settling::Settling(const Scene& scene, particles::Body body, step::Solver begun)
     : scene_(scene),
       body_(body),
       radius_(radius_of(scene, body)),
-      crossing_(radius_ / material::make_material(scene).longitudinal_speed()),
+      crossing_(radius_ / material_of(scene, body).longitudinal_speed()),
       omega_(spin_of(scene, body)),
       solver_(std::move(begun)) {}
 
@@ -175,7 +183,7 @@ bool Settling::is_at_rest() const {
   if (is_remnant(scene_, body_)) return true;  // in itself, that is; it may turn
   // At least a few damping times: at the very start nothing has moved yet.
   if (solver_.state().time < 10 * crossing_) return false;
-  const double v_esc = escape_speed({radius_, scene_.material.rho0_kg_per_m3});
+  const double v_esc = escape_speed({radius_, material_of(scene_, body_).reference_density});
   return rms_speed(solver_.state(), omega_) <= settled_fraction * v_esc;
 }
 

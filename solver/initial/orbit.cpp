@@ -63,11 +63,11 @@ class Approach {
     return {o.position + dt * rate.position, o.velocity + dt * rate.velocity};
   }
   RelativeOrbit rate(const RelativeOrbit& o, double time) const {
-    const Vec3& r = o.position;
+    const Vec3 &r = o.position, primary = tide_.place(time);
     const double distance = norm(r);
     return {o.velocity, -mu_ / (distance * distance * distance) * r +
-                            tide_.acceleration((1 - share_) * r, time) -
-                            tide_.acceleration(-share_ * r, time)};
+                            tide_.acceleration((1 - share_) * r, primary) -
+                            tide_.acceleration(-share_ * r, primary)};
   }
 
   double mu_;

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "solver/io/units.hpp"
+#include "solver/scene/two_materials.hpp"
 
 namespace eerie::io {
 
@@ -45,13 +46,16 @@ void alias(hid_t group, const char* target, const char* name) {
   h5::require(H5Lcreate_soft(target, group, name, H5P_DEFAULT, H5P_DEFAULT), name);
 }
 
-/// The h of each particle, where it evolves as its density says.
+/// The h of each particle: that of its body, or as its density says.
 void write_smoothing_lengths(hid_t group, const Snapshot& snapshot) {
   const particles::State& state = snapshot.state;
-  std::vector<double> h(state.size(), state.h);
-  if (snapshot.scene.numerics.smoothing == "evolving")
-    for (std::size_t i = 0; i < state.size(); ++i)
-      h[i] = particles::evolved_h(state.h, snapshot.scene.material.rho0_kg_per_m3, state.rho[i]);
+  const Scene& scene = snapshot.scene;
+  const std::array<double, 2> size = particle_sizes(scene);
+  const bool evolves = scene.numerics.smoothing == "evolving";
+  std::vector<double> h(state.size());
+  for (std::size_t i = 0; i < state.size(); ++i)
+    h[i] = evolves ? particles::evolved_h(state.h, lowest_density(scene), state.rho[i])
+                   : state.h * size[state.body[i]];
   write_field<double>(group, "SmoothingLengths", h);
 }
 

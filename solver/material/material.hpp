@@ -36,6 +36,7 @@ struct Material {
   Fracture fracture;
   double shear_modulus;      ///< G, Pa
   double reference_density;  ///< kg/m^3
+  double cohesion;           ///< Pa
 
   double reference_sound_speed() const {
     return std::visit([](const auto& e) { return e.reference_sound_speed(); }, eos);
@@ -53,9 +54,7 @@ struct Material {
     return 9 * K * shear_modulus / (3 * K + shear_modulus);
   }
   /// Whether a free surface can carry stress, through tensile strength or cohesion.
-  bool stressed_surface(const Scene& scene) const {
-    return initial_damage() < 1 || scene.material.drucker_prager.cohesion_Pa > 0;
-  }
+  bool stressed_surface() const { return initial_damage() < 1 || cohesion > 0; }
   /// Whether gaps in the material stay empty. A gas fills them.
   bool closes_gaps() const {
     return std::visit([](const auto& e) { return e.is_cold; }, eos);
@@ -66,12 +65,13 @@ struct Material {
   }
 };
 
-inline Material make_material(const Scene& scene) {
-  const Scene::Material& m = scene.material;
+inline Material make_material(const Scene::Material& m) {
   return {make_by_token<Eos>("scene.material.eos", m.eos, m),
           make_by_token<Rheology>("scene.material.rheology", m.rheology, m),
           make_by_token<Fracture>("scene.material.fracture", m.fracture, m),
-          m.rheology == Fluid::token ? 0 : m.shear_modulus_Pa, m.rho0_kg_per_m3};
+          m.rheology == Fluid::token ? 0 : m.shear_modulus_Pa,
+          m.rho0_kg_per_m3,
+          m.drucker_prager.cohesion_Pa};
 }
 
 }  // namespace eerie::material

@@ -8,6 +8,7 @@
 #include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
+#include "solver/scene/two_materials.hpp"
 
 namespace eerie {
 
@@ -51,27 +52,31 @@ BodyShape impactor_shape(const Scene& s) { return {s.impactor.shape, s.impactor.
 
 namespace {
 
-void require_round_one_stands(const Scene& scene, const Scene::Spin& spin, double friction,
+double friction_of(const Scene::Material& m) {
+  return m.rheology == "fluid" ? 0 : friction_coefficient(m);
+}
+
+void require_round_one_stands(const Scene::Material& m, const Scene::Spin& spin,
                               const std::string& field) {
   if (spin.period_h == 0) return;
-  const double fastest = fastest_spin(scene.material.rho0_kg_per_m3, friction);
+  const double fastest = fastest_spin(m.rho0_kg_per_m3, friction_of(m));
   const double shortest_h = fastest > 0 ? 2 * pi / fastest / 3600 : 0;
   if (fastest > 0 && spin.period_h >= shortest_h) return;
   throw InputError(
       fastest > 0
           ? fmt::format("{}.spin.period_h = {:g}: at a friction angle of {:g} deg a sphere without "
                         "cohesion stands no shorter period than {:.4g} h; give {:.3g} or more",
-                        field, spin.period_h, scene.material.drucker_prager.phi_d_deg, shortest_h,
+                        field, spin.period_h, m.drucker_prager.phi_d_deg, shortest_h,
                         1.05 * shortest_h)
           : fmt::format("{}.spin.period_h = {:g}: a sphere without friction stands no rotation; "
                         "set it to 0, or material.rheology to \"drucker-prager\"",
                         field, spin.period_h));
 }
 
-void require_long_one_stands(const Scene& scene, const BodyShape& shape, const Scene::Spin& spin,
-                             double friction, const std::string& field) {
-  const double needed =
-      needed_friction(shape.semi_axes(), scene.material.rho0_kg_per_m3, spin_rate(spin));
+void require_long_one_stands(const Scene::Material& m, const BodyShape& shape,
+                             const Scene::Spin& spin, const std::string& field) {
+  const double needed = needed_friction(shape.semi_axes(), m.rho0_kg_per_m3, spin_rate(spin)),
+               friction = friction_of(m);
   if (needed <= friction) return;
   const Vec3& a = shape.semi_axes();
   const std::string why =
@@ -89,20 +94,20 @@ void require_long_one_stands(const Scene& scene, const BodyShape& shape, const S
 }  // namespace
 
 void require_standing(const Scene& scene, const std::string& where) {
-  const Scene::Material& m = scene.material;
-  const bool is_loose = m.rheology == "fluid" ||
-                        (m.rheology == "drucker-prager" && m.drucker_prager.cohesion_Pa == 0);
-  if (!is_loose) return;
-  const double friction = m.rheology == "fluid" ? 0 : friction_coefficient(scene);
-  const auto check = [&](const BodyShape& shape, const Scene::Spin& spin, const char* body) {
+  const auto check = [&](const Scene::Material& m, const BodyShape& shape, const Scene::Spin& spin,
+                         const char* body) {
+    const bool is_loose = m.rheology == "fluid" ||
+                          (m.rheology == "drucker-prager" && m.drucker_prager.cohesion_Pa == 0);
+    if (!is_loose) return;
     if (shape.is_sphere())
-      require_round_one_stands(scene, spin, friction, where + body);
+      require_round_one_stands(m, spin, where + body);
     else
-      require_long_one_stands(scene, shape, spin, friction, where + body);
+      require_long_one_stands(m, shape, spin, where + body);
   };
   // A remnant has shown that it stands.
-  if (scene.target.remnant.file.empty()) check(target_shape(scene), scene.target.spin, ".target");
-  check(impactor_shape(scene), scene.impactor.spin, ".impactor");
+  if (scene.target.remnant.file.empty())
+    check(scene.material, target_shape(scene), scene.target.spin, ".target");
+  check(impactor_material(scene), impactor_shape(scene), scene.impactor.spin, ".impactor");
 }
 
 }  // namespace eerie

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "solver/base/bodies/sphere.hpp"
-#include "solver/base/bodies/two_bodies.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/sha256.hpp"
@@ -15,6 +13,8 @@
 #include "solver/scene/scene_schema_text.hpp"
 #include "solver/scene/schemes.hpp"
 #include "solver/scene/tide.hpp"
+#include "solver/scene/two_materials.hpp"
+#include "solver/scene/usable.hpp"
 #include "solver/scene/validate.hpp"
 
 namespace eerie {
@@ -49,6 +49,9 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/impactor/shape/b_over_a", s.impactor.shape.b_over_a);
   visit("/impactor/shape/c_over_a", s.impactor.shape.c_over_a);
   visit("/impactor/shape/turn_deg", s.impactor.shape.turn_deg);
+  visit("/impactor/material/rho0_kg_per_m3", s.impactor.material.rho0_kg_per_m3);
+  visit("/impactor/material/phi_d_deg", s.impactor.material.phi_d_deg);
+  visit("/impactor/material/cohesion_Pa", s.impactor.material.cohesion_Pa);
   visit("/impact/q", s.impact.q);
   visit("/impact/v_imp_cm_per_s", s.impact.v_imp_cm_per_s);
   visit("/impact/theta_imp_deg", s.impact.theta_imp_deg);
@@ -126,6 +129,10 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/output/checkpoint_interval_s", s.output.checkpoint_interval_s);
 }
 
+/// Fields that say nothing where they are absent.
+template <class Member>
+constexpr bool is_optional = std::is_same_v<Member, std::optional<double>>;
+
 /// 5000.0 is an integer to JSON Schema but not to the parser's types: make it one.
 void normalise_integers(json& node) {
   if (node.is_structured()) {
@@ -137,133 +144,11 @@ void normalise_integers(json& node) {
   }
 }
 
-void require_shape(const Scene::Shape& shape, const std::string& field) {
-  if (shape.c_over_a <= shape.b_over_a) return;
-  throw InputError(
-      fmt::format("{}.c_over_a = {:g}: must be at most b_over_a = {:g}; exchange the two, c is the "
-                  "shortest axis",
-                  field, shape.c_over_a, shape.b_over_a));
-}
-
-void require_whole_remnant(const Scene::Target& target, const std::string& field) {
-  const Scene::Remnant& from = target.remnant;
-  if (from.file.empty() && from.sha256.empty()) return;
-  if (from.file.empty() || from.sha256.size() != 64)
-    throw InputError(fmt::format(
-        "{}.remnant: file and sha256 go together; `eerie remnant` prints both, and what else the "
-        "scene needs",
-        field));
-  if (target.spin.period_h != 0)
-    throw InputError(fmt::format("{}.spin.period_h = {:g}: a remnant spins as it did; set it to 0",
-                                 field, target.spin.period_h));
-}
-
-/// What no single field's range can say.
-void require_consistent(const Scene& scene, const std::string& where) {
-  const Scene::Material& m = scene.material;
-  if (m.eos == "ideal-gas" && m.energy != "integrated")
-    throw InputError(where +
-                     ".material.energy = \"none\": the pressure of an ideal gas is its heat; "
-                     "set material.energy to \"integrated\"");
-  if (m.fracture != "none" && m.rheology != "lundborg")
-    throw InputError(
-        fmt::format("{}.material.fracture = \"{}\": material of rheology \"{}\" cannot break; set "
-                    "material.rheology to \"lundborg\" or material.fracture to \"none\"",
-                    where, m.fracture, m.rheology));
-  if (m.rheology == "lundborg" && m.lundborg.Y_M_Pa <= m.lundborg.Y_0_Pa)
-    throw InputError(
-        fmt::format("{}.material.lundborg.Y_M_Pa = {:g}: must be greater than Y_0_Pa = {:g}", where,
-                    m.lundborg.Y_M_Pa, m.lundborg.Y_0_Pa));
-  if (scene.numerics.late_sound_speed < 1 && scene.end.settled.window_s == 0)
-    throw InputError(
-        fmt::format("{}.numerics.late_sound_speed = {:g}: when the late phase begins is asked as "
-                    "often as the settled stop looks; set end.settled.window_s too, to 4000 for "
-                    "instance",
-                    where, scene.numerics.late_sound_speed));
-  if (scene.numerics.void_density > 0 && scene.numerics.voids == "all" &&
-      scene.numerics.smoothing != "constant")
-    throw InputError(fmt::format(
-        "{}.numerics.void_density = {:g}: voids are seen with one smoothing length for all; set it "
-        "to 0, numerics.voids to \"gaps\" or numerics.smoothing to \"constant\"",
-        where, scene.numerics.void_density));
-  if (scene.numerics.late_sound_speed < 1 && m.energy != "none")
-    throw InputError(fmt::format(
-        "{}.numerics.late_sound_speed = {:g}: a late phase keeps no energy budget; set it to 1, or "
-        "material.energy to \"none\"",
-        where, scene.numerics.late_sound_speed));
-  if (scene.numerics.rigid_flight && scene.end.settled.window_s == 0)
-    throw InputError(fmt::format(
-        "{}.numerics.rigid_flight = true: whether remnants may fly is asked as often as "
-        "the settled stop looks; set end.settled.window_s too, to 4000 for instance",
-        where));
-  if (scene.numerics.rigid_flight && m.energy != "none")
-    throw InputError(
-        fmt::format("{}.numerics.rigid_flight = true: what lands in a flight keeps no energy "
-                    "budget; set it to false, or material.energy to \"none\"",
-                    where));
-  require_shape(scene.target.shape, where + ".target.shape");
-  require_shape(scene.impactor.shape, where + ".impactor.shape");
-  require_whole_remnant(scene.target, where + ".target");
-  require_standing(scene, where);
-  const std::vector<Scene::Wall>& walls = scene.environment.walls;
-  for (std::size_t a = 0; a < walls.size(); ++a)
-    for (std::size_t b = a + 1; b < walls.size(); ++b) {
-      if (walls[a].face == walls[b].face)
-        throw InputError(
-            fmt::format("{}.environment.walls[{}].face = \"{}\": there is such a wall "
-                        "already; give each face at most one",
-                        where, b, walls[b].face));
-      if (walls[a].face[0] != walls[b].face[0]) continue;
-      const bool a_low = walls[a].face.ends_with("_low");
-      const Scene::Wall &low = a_low ? walls[a] : walls[b], &high = a_low ? walls[b] : walls[a];
-      if (low.at_m >= high.at_m)
-        throw InputError(
-            fmt::format("{}.environment.walls: {} at {:g} m is not below {} at {:g} m; "
-                        "exchange their at_m",
-                        where, low.face, low.at_m, high.face, high.at_m));
-    }
-}
-
 }  // namespace
 
 const json& scene_schema() {
   static const json schema = json::parse(scene_schema_text);
   return schema;
-}
-
-/// The bodies start apart, on the orbit that leads to the impact.
-void require_orbit(const Scene& scene, const std::string& where) {
-  const double start = contact_distance(scene) * scene.impact.separation;
-  const Contact contact =
-      contact_of({scene.target.radius_m, scene.material.rho0_kg_per_m3}, scene.impact.q,
-                 scene.impact.v_imp_cm_per_s / 100, radians(scene.impact.theta_imp_deg));
-  const double longest = scene.target.radius_m * target_shape(scene).semi_axes().x +
-                         impactor_radius(scene) * impactor_shape(scene).semi_axes().x;
-  if (start < longest)
-    throw InputError(fmt::format(
-        "{}.impact.separation = {:g}: ellipsoids of {:.4g} m in all may touch as they start; give "
-        "{:.3g} or more",
-        where, scene.impact.separation, longest, 1.05 * longest / contact_distance(scene)));
-  if (radial_speed2(contact, start) >= 0) return;
-  throw InputError(fmt::format(
-      "{}.impact.v_imp_cm_per_s = {:g}: bodies of {:g} m that touch at {:g} deg were never {:.4g} "
-      "m "
-      "apart, as they start; give {:.4g} cm/s or more, or lower impact.separation = {:g}",
-      where, scene.impact.v_imp_cm_per_s, scene.target.radius_m, scene.impact.theta_imp_deg, start,
-      100 * least_contact_speed(contact, start) * 1.001, scene.impact.separation));
-}
-
-/// What no field can say of itself.
-void require_usable(const Scene& scene, const std::string& where) {
-  require_consistent(scene, where);
-  require_orbit(scene, where);
-  require_primary(scene, where);
-  if (impactor_particles(scene) < 100)
-    throw TooFewParticles(fmt::format(
-        "{}.impact.q = {}: the impactor would have {} particles and needs at least 100; "
-        "raise numerics.particles_per_target to {} or more, or raise q",
-        where, scene.impact.q, impactor_particles(scene),
-        static_cast<std::int64_t>(std::ceil(100 / scene.impact.q))));
 }
 
 Scene parse_scene(const json& given, const std::string& where) {
@@ -273,7 +158,12 @@ Scene parse_scene(const json& given, const std::string& where) {
   document = with_defaults(scene_schema(), with_scheme(std::move(document)));
   Scene scene;
   visit_fields(scene, [&](const char* path, auto& member) {
-    document.at(json::json_pointer(path)).get_to(member);
+    const json::json_pointer pointer(path);
+    if constexpr (is_optional<std::remove_reference_t<decltype(member)>>) {
+      if (document.contains(pointer)) member = document.at(pointer);
+    } else {
+      document.at(pointer).get_to(member);
+    }
   });
   require_usable(scene, where);
   return scene;
@@ -283,8 +173,11 @@ Scene changed(Scene scene, std::span<const FieldChange> changes, const std::stri
   for (const FieldChange& change : changes)
     visit_fields(scene, [&](const char* path, auto& member) {
       using Member = std::remove_reference_t<decltype(member)>;
-      if constexpr (std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>)
+      if constexpr (is_optional<Member>) {
+        if (change.pointer == path) member = change.value;
+      } else if constexpr (std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>) {
         if (change.pointer == path) member = static_cast<Member>(change.value);
+      }
     });
   require_usable(scene, where);
   return scene;
@@ -328,11 +221,18 @@ json to_json(const Scene& scene) {
   }();
   json document;
   std::size_t field = 0;
-  visit_fields(scene,
-               [&](const char*, const auto& member) { document[pointers[field++]] = member; });
+  visit_fields(scene, [&](const char*, const auto& member) {
+    const json::json_pointer& pointer = pointers[field++];
+    if constexpr (is_optional<std::remove_cvref_t<decltype(member)>>) {
+      if (member) document[pointer] = *member;
+    } else {
+      document[pointer] = member;
+    }
+  });
   leave_out_younger_fields(document["numerics"]);
   leave_out_of_body(document["target"], target_shape(scene), scene.target.spin);
   leave_out_of_body(document["impactor"], impactor_shape(scene), scene.impactor.spin);
+  leave_out_shared_material(document);
   if (document["impactor"].empty()) document.erase("impactor");
   if (!has_primary(scene)) document["environment"].erase("primary");
   return document;
@@ -351,7 +251,11 @@ std::string canonical_hash(json canonical) {
   return sha256_hex(canonical.dump());
 }
 
-double impactor_radius(const Scene& s) { return s.target.radius_m * std::cbrt(s.impact.q); }
+double impactor_radius(const Scene& s) {
+  const double rho = impactor_material(s).rho0_kg_per_m3;
+  if (rho == s.material.rho0_kg_per_m3) return s.target.radius_m * std::cbrt(s.impact.q);
+  return s.target.radius_m * std::cbrt(s.impact.q * s.material.rho0_kg_per_m3 / rho);
+}
 double target_mass(const Scene& s) {
   return s.material.rho0_kg_per_m3 * sphere_volume(s.target.radius_m);
 }
@@ -359,7 +263,7 @@ double particle_mass(const Scene& s) {
   return target_mass(s) / static_cast<double>(s.numerics.particles_per_target);
 }
 double smoothing_length(const Scene& s) {
-  return s.numerics.h_over_spacing * std::cbrt(particle_mass(s) / s.material.rho0_kg_per_m3);
+  return s.numerics.h_over_spacing * std::cbrt(particle_mass(s) / lowest_density(s));
 }
 double viscosity_length_ratio(const Scene& s) {
   if (s.numerics.viscosity_particles == 0) return 1;
@@ -373,7 +277,9 @@ double contact_distance(const Scene& s) { return s.target.radius_m + impactor_ra
 double softest_sound_speed(const Scene& s) {
   constexpr double most_bent = 0.01;
   const double stiffness = most_bent * s.material.shear_modulus_Pa;
-  const double held = std::sqrt(s.material.drucker_prager.cohesion_Pa / stiffness);
+  const double cohesion = std::max(s.material.drucker_prager.cohesion_Pa,
+                                   impactor_material(s).drucker_prager.cohesion_Pa);
+  const double held = std::sqrt(cohesion / stiffness);
   return std::min(1.0, std::max(s.numerics.late_sound_speed, held));
 }
 double bulk_sound_speed(const Scene& s) {
@@ -381,14 +287,14 @@ double bulk_sound_speed(const Scene& s) {
   const double K = m.eos == "tillotson" ? m.tillotson.A_Pa
                    : m.eos == "linear"  ? m.linear.bulk_modulus_Pa
                                         : 0;
-  return std::sqrt(K / m.rho0_kg_per_m3);
+  return std::sqrt(K / std::max(m.rho0_kg_per_m3, impactor_material(s).rho0_kg_per_m3));
 }
 Vec3 spin(const Scene::Spin& s) {
   if (s.period_h == 0) return {};
   return spin_rate(s) * spin_axis(s);
 }
-double friction_coefficient(const Scene& s) {
-  return std::tan(radians(s.material.drucker_prager.phi_d_deg));
+double friction_coefficient(const Scene::Material& m) {
+  return std::tan(radians(m.drucker_prager.phi_d_deg));
 }
 
 }  // namespace eerie

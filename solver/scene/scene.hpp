@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,6 +49,11 @@ struct Scene {
   struct Impactor {
     Spin spin;
     Shape shape;
+    /// What its matter has of its own; where a value is absent, that of the target
+    /// (two_materials.hpp).
+    struct Material {
+      std::optional<double> rho0_kg_per_m3, phi_d_deg, cohesion_Pa;
+    } material;
   } impactor{};
 
   struct Impact {
@@ -183,7 +189,8 @@ Scene parse_scene(const nlohmann::json& json, const std::string& where = "scene"
 
 /// The scene with every field, in sorted order and with canonical numbers (30 and 30.0 are equal).
 /// numerics.void_density, voids and rigid_flight appear only where they are on, spin and shape
-/// where a body turns or is no sphere. parse_scene() turns it back into the same scene.
+/// where a body turns or is no sphere, impactor.material where it is another. parse_scene() turns
+/// it back into the same scene.
 nlohmann::json to_json(const Scene& scene);
 
 /// A numeric field, named by its JSON pointer ("/impact/q"), and a value that the schema allows.
@@ -208,19 +215,20 @@ const nlohmann::json& scene_schema();
 double impactor_radius(const Scene& scene);
 double target_mass(const Scene& scene);
 double particle_mass(const Scene& scene);
-double smoothing_length(const Scene& scene);
+double smoothing_length(const Scene& scene);  ///< of the less dense of two materials
 /// The smoothing length of viscosity in units of h. It is below 1 where
 /// numerics.viscosity_particles asks for that of more particles.
 double viscosity_length_ratio(const Scene& scene);
 std::int64_t impactor_particles(const Scene& scene);
 double contact_distance(const Scene& scene);
-double friction_coefficient(const Scene& scene);
+double friction_coefficient(const Scene::Material& material);
 /// The angular velocity of a body before the impact, rad/s. The orbit turns about the z-axis.
 Vec3 spin(const Scene::Spin& spin);
 /// The factor on sound speeds of the late phase: numerics.late_sound_speed, but no lower than where
 /// cohesive matter bends by a percent before it yields; 1 where nothing may be softer.
 double softest_sound_speed(const Scene& scene);
-double bulk_sound_speed(const Scene& scene);  ///< sqrt(K/rho0) of the cold material; 0 for a gas
+/// sqrt(K/rho0) of the cold material, the denser one of two; 0 for a gas.
+double bulk_sound_speed(const Scene& scene);
 /// Whether particles carry an internal energy; whether they carry a damage that grows.
 inline bool has_energy(const Scene& scene) { return scene.material.energy == "integrated"; }
 inline bool has_fracture(const Scene& scene) { return scene.material.fracture != "none"; }

@@ -52,9 +52,9 @@ Vec3 Tide::place(double time) const {
   return {distance_ * std::cos(angle), distance_ * std::sin(angle), 0};
 }
 
-Vec3 Tide::acceleration(const Vec3& x, double time) const {
+Vec3 Tide::acceleration(const Vec3& x, const Vec3& primary) const {
   if (pull_ == 0) return {};
-  const Vec3 primary = place(time), to = primary - x;
+  const Vec3 to = primary - x;
   // Inside a homogeneous ball the pull falls in proportion to the distance from its centre.
   const double away = std::max(norm(to), radius_);
   return pull_ / (away * away * away) * to - pull_ / (distance_ * distance_ * distance_) * primary;

@@ -25,11 +25,11 @@ class Tide {
  public:
   explicit Tide(const Scene::Primary& primary);
 
-  /// The pull at the place x (m) at a time (s) less that on the origin, m/s^2. Without a primary
-  /// it is zero.
-  Vec3 acceleration(const Vec3& x, double time) const;
-  /// Where the primary is, m.
+  /// Where the primary is at a time (s), m.
   Vec3 place(double time) const;
+  /// The pull at the place x (m) of a primary at the place `primary`, less that on the origin,
+  /// m/s^2. Without a primary it is zero.
+  Vec3 acceleration(const Vec3& x, const Vec3& primary) const;
   /// The rate of its revolution about +z, rad/s; negative where it is retrograde.
   double rate() const { return rate_; }
 

@@ -45,7 +45,7 @@ struct Viscosity {
 
 /// Terms that few scenes need. A flag that is off leaves its term out.
 struct ExtraTerms {
-  bool evolving_h = false;
+  bool unlike_h = false;
   bool artificial_stress = false;  ///< q_ij 1 becomes q_ij 1 - (R_i + R_j) f^4, f = W/W(spacing)
   double spacing = 0;              ///< spacing of particles at rest, m
   bool shear_free = false;         ///< viscosity ignores shear, as with Terms::shear_free
@@ -200,7 +200,7 @@ class PairSums {
     P slope{}, h_ij = splat(real(1));
     bool evolving = false;
     if constexpr (extended) {
-      if (extra_.evolving_h) {
+      if (extra_.unlike_h) {
         evolving = true;
         const P mine = splat(desk.local.extra[k].inverse_h), other = desk.extra[p].row.c[6];
         slope = real(0.5) * (desk.local.extra[k].weight * slope_of(r, inverse_r, mine) +

@@ -23,19 +23,17 @@ void Solver::expect_speeds() {
   reach_ = 2 * reach_ + 10 * state_.h;
   begun_ = state_.time;
   const double mass = state_.mass * static_cast<double>(state_.size());
-  const double radius = std::cbrt(3 * mass / (4 * pi * material_.reference_density));
-  if (scene_.environment.self_gravity)
-    fastest += escape_speed({radius, material_.reference_density});
+  const double rho0 = materials_.highest_density();
+  const double radius = std::cbrt(3 * mass / (4 * pi * rho0));
+  if (scene_.environment.self_gravity) fastest += escape_speed({radius, rho0});
   fastest_expected_ = 10 * fastest;
   if (fields_.energy || !scene_.environment.self_gravity) {
     double c = 0;
-    std::visit(
-        [&](const auto& eos) {
-          for (std::size_t i = 0; i < state_.size(); ++i)
-            c = std::max(c, eos(state_.rho[i], fields_.energy ? state_.u[i] : 0.0).c);
-        },
-        material_.eos);
-    fastest_expected_ += 10 * (c + material_.longitudinal_speed());
+    materials_.visit_laws(state_.body, [&](const auto& eos, const auto&) {
+      for (std::size_t i = 0; i < state_.size(); ++i)
+        c = std::max(c, eos[i](state_.rho[i], fields_.energy ? state_.u[i] : 0.0).c);
+    });
+    fastest_expected_ += 10 * (c + materials_.fastest_wave());
   }
 }
 

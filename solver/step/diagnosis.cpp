@@ -56,7 +56,7 @@ Diagnosis diagnose(const io::Snapshot& snapshot) {
   scene.environment.self_gravity = false;  // sums do not need it, and it costs more than they do
   const Solver solver(scene, snapshot.state);
   const particles::State& s = solver.state();
-  const double reference_density = solver.material().reference_density;
+  const double reference_density = solver.materials().target().reference_density;
   const std::vector<Arrangement> arrangement =
       std::visit([&](auto kernel) { return arrangements<decltype(kernel)>(s, reference_density); },
                  sph::make_kernel(scene.numerics.kernel));

@@ -1,7 +1,8 @@
 #include "solver/step/late.hpp"
 
 #include <utility>
-#include <variant>
+
+#include "solver/material/of_bodies.hpp"
 
 namespace eerie::step {
 
@@ -18,13 +19,11 @@ Scene softened(Scene scene, const particles::Softening& softening) {
 particles::State with_softening(particles::State state, const std::vector<double>& pressure,
                                 const Scene& scene, const particles::Softening& softening) {
   state.softening = softening;
-  const material::Material other = material::make_material(softened(scene, softening));
-  std::visit(
-      [&](const auto& eos) {
-        for (std::size_t i = 0; i < state.size(); ++i)
-          if (pressure[i] != 0) state.rho[i] = eos.density_at(pressure[i]);
-      },
-      other.eos);
+  const material::OfBodies other(softened(scene, softening));
+  other.visit_laws(state.body, [&](const auto& eos, const auto&) {
+    for (std::size_t i = 0; i < state.size(); ++i)
+      if (pressure[i] != 0) state.rho[i] = eos[i].density_at(pressure[i]);
+  });
   return state;
 }
 

@@ -17,7 +17,7 @@ void Solver::evaluate(double ahead) {
 
 /// What strength depends on, at the time of the rates.
 material::Condition Solver::condition(std::size_t i, double ahead) const {
-  material::Condition now{0, material_.initial_damage()};
+  material::Condition now{0, materials_.target().initial_damage()};
   if (fields_.energy) now.u = state_.u[i] + ahead * rates_.du_dt[i];
   if (fields_.damage) now.damage = cubed(state_.damage_cbrt[i]);
   return now;
@@ -50,24 +50,21 @@ void Solver::apply_laws(std::size_t b, double ahead,
                         std::array<Predicted, tree::bucket_size>& out) {
   const std::size_t first = b * tree::bucket_size,
                     last = std::min(first + tree::bucket_size, state_.size());
-  std::visit(
-      [&](const auto& eos, const auto& rheology) {
-        for (std::size_t i = first; i < last; ++i) {
-          const double rho = predicted_density(i, ahead);
-          const material::Condition now = condition(i, ahead);
-          const material::EosPoint point = eos(rho, now.u);
-          double p = rheology.pressure(point.p, now);
-          if (is_void(i)) p = std::min(p, 0.0);
-          pressure_[i] = p;
-          const SymTensor trial = state_.S[i] + ahead * rates_.dS_dt[i];
-          yield_factor_[i] = is_frayed(i)
-                                 ? 0.0F
-                                 : static_cast<float>(rheology.yield_factor(
-                                       second_invariant(trial), confining_pressure(i), now));
-          out[i - first] = {rho, point.c};
-        }
-      },
-      material_.eos, material_.rheology);
+  materials_.visit_laws(state_.body, [&](const auto& eos, const auto& rheology) {
+    for (std::size_t i = first; i < last; ++i) {
+      const double rho = predicted_density(i, ahead);
+      const material::Condition now = condition(i, ahead);
+      const material::EosPoint point = eos[i](rho, now.u);
+      double p = rheology[i].pressure(point.p, now);
+      if (is_void(i)) p = std::min(p, 0.0);
+      pressure_[i] = p;
+      const SymTensor trial = state_.S[i] + ahead * rates_.dS_dt[i];
+      yield_factor_[i] = is_frayed(i) ? 0.0F
+                                      : static_cast<float>(rheology[i].yield_factor(
+                                            second_invariant(trial), confining_pressure(i), now));
+      out[i - first] = {rho, point.c};
+    }
+  });
 }
 
 /// The yielded stress of the predicted state, for as long as its rates are still the old ones.
@@ -115,7 +112,7 @@ void Solver::fill_rows(std::size_t b, Ahead ahead,
       if constexpr (Family::sheared)
         if (fields_.shear) sums.rows.set_shear(i, rates_.shear_rate[i]);
       if constexpr (Family::extended)
-        sums.rows.set_extra(i, artificial_stress(i, ahead.stress), smoothing_length(rho));
+        sums.rows.set_extra(i, artificial_stress(i, ahead.stress), smoothing_length(i, rho));
     }
   });
 }
@@ -159,7 +156,7 @@ std::size_t Solver::first_collapsed(std::size_t i, std::size_t count, const sph:
   const Pack<double> determinants = determinant(s.C);
   for (std::size_t l = 0; l < count; ++l)
     if (!(determinants[l] > sph::smallest_correctable_determinant) &&
-        sph::is_collapsed(sph::lane(s, l).C, rho[l] / material_.reference_density) &&
+        sph::is_collapsed(sph::lane(s, l).C, rho[l] / reference_density(i + l)) &&
         lists_.is_bulk(i + l) && !is_at_wall(i + l))
       return i + l;
   return nobody;
@@ -193,7 +190,8 @@ std::size_t Solver::set_rates(std::size_t i, std::size_t count, double ahead,
   const P divergence = gradient_ == Gradient::corrected_fully
                            ? trace(s.G * to_matrix(sph::moderate(L)))
                            : trace(s.G);
-  scatter_tensors(count, sph::stress_rate(S, gradient, material_.shear_modulus), &rates_.dS_dt[i]);
+  scatter_tensors(count, sph::stress_rate(S, gradient, materials_.target().shear_modulus),
+                  &rates_.dS_dt[i]);
   scatter(count, P(-rho * divergence),
           [&](std::size_t l, double rate) { rates_.drho_dt[i + l] = rate; });
   if (fields_.shear)
@@ -230,9 +228,10 @@ void Solver::sum_over_neighbours(double ahead) {
 /// Cracks grow while the stress at the end of the step pulls.
 void Solver::grow_damage(double duration) {
   const StageTimer timer(stages_, Stage::material);
-  const auto& law = std::get<material::GradyKipp>(material_.fracture);
-  const double E = material_.young_modulus(), c_l = material_.longitudinal_speed();
-  const double R_s = std::cbrt(3 * state_.mass / (4 * pi * material_.reference_density));
+  const material::Material& rock = materials_.target();  // what breaks is of one material
+  const auto& law = std::get<material::GradyKipp>(rock.fracture);
+  const double E = rock.young_modulus(), c_l = rock.longitudinal_speed();
+  const double R_s = std::cbrt(3 * state_.mass / (4 * pi * rock.reference_density));
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < state_.size(); ++i) {
     const double intact = 1 - cubed(state_.damage_cbrt[i]);

@@ -50,10 +50,11 @@ sph::Viscosity viscosity_of(const Scene& scene) {
 Solver::Sums Solver::make_sums() const {
   const Scene::Numerics& n = scene_.numerics;
   const sph::Viscosity viscosity = viscosity_of(scene_);
-  const sph::ExtraTerms extra{evolving_h_, n.artificial_stress > 0,
-                              std::cbrt(state_.mass / material_.reference_density), fields_.shear};
+  const sph::ExtraTerms extra{evolving_h_ || materials_.has_two_densities(),
+                              n.artificial_stress > 0,
+                              std::cbrt(state_.mass / materials_.lowest_density()), fields_.shear};
   const bool all =
-      fields_.energy || fields_.viscous_pressure || extra.evolving_h || extra.artificial_stress;
+      fields_.energy || fields_.viscous_pressure || extra.unlike_h || extra.artificial_stress;
   return std::visit(
       [&](auto kernel) -> Sums {
         using Kernel = decltype(kernel);
@@ -80,22 +81,23 @@ Solver::Solver(const Scene& scene, particles::State state, particles::Rates rate
     : scene_(softened(scene, state.softening)),
       state_(std::move(state)),
       rates_(std::move(rates)),
-      material_(material::make_material(scene_)),
+      materials_(scene_),
       fields_(io::optional_fields(scene)),
       gradient_(scene.numerics.gradient == "corrected-fully"  ? Gradient::corrected_fully
                 : scene.numerics.gradient == "corrected"      ? Gradient::corrected
                 : scene.numerics.gradient == "corrected-rate" ? Gradient::corrected_rate
                                                               : Gradient::plain),
       thinnest_(gradient_ == Gradient::corrected_fully
-                    ? thinnest_filling * material_.reference_density
+                    ? thinnest_filling * materials_.lowest_density()
                     : 0),
-      stressed_surface_(material_.stressed_surface(scene)),
-      frays_(stressed_surface_ && material_.initial_damage() == 1),
+      stressed_surface_(materials_.has_stressed_surface()),
+      frays_(stressed_surface_ && materials_.target().initial_damage() == 1),
       walls_(mirrors(scene.environment)),
       evolving_h_(scene.numerics.smoothing == "evolving"),
-      sees_voids_(
-          scene.numerics.void_density > 0 &&
-          (scene.numerics.voids == "all" || (material_.closes_gaps() && !stressed_surface_))),
+      constant_h_({state_.h * particle_sizes(scene)[0], state_.h * particle_sizes(scene)[1]}),
+      sees_voids_(scene.numerics.void_density > 0 &&
+                  (scene.numerics.voids == "all" ||
+                   (materials_.target().closes_gaps() && !stressed_surface_))),
       sums_(make_sums()),
       integrator_(
           make_by_token<Integrator>("scene.numerics.integrator", scene.numerics.integrator)),
@@ -110,10 +112,10 @@ Solver::Solver(const Scene& scene, particles::State state, particles::Rates rate
   yield_factor_.resize(n);
   pressure_.resize(n);
   visit_sums([n](auto& sums) { sums.rows.resize(n); });
-  if (const auto* law = std::get_if<material::GradyKipp>(&material_.fracture)) {
+  if (const auto* law = std::get_if<material::GradyKipp>(&materials_.target().fracture)) {
     Random random(static_cast<std::uint64_t>(scene.numerics.seed), flaw_stream);
-    flaws_ =
-        law->deal(n, state_.mass * static_cast<double>(n) / material_.reference_density, random);
+    flaws_ = law->deal(
+        n, state_.mass * static_cast<double>(n) / materials_.target().reference_density, random);
   }
   expect_speeds();
   if (restart.list_x.empty()) {
@@ -227,14 +229,16 @@ void Solver::update_lists() {
   ++list_builds_;
 }
 
-/// h of a particle: constant, or as its density says, so that the number of neighbours stays.
-double Solver::smoothing_length(double rho) const {
-  return evolving_h_ ? particles::evolved_h(state_.h, material_.reference_density, rho) : state_.h;
+/// h of a particle: that of its body, or as its density says, so that its neighbours stay as many.
+double Solver::smoothing_length(std::size_t i, double rho) const {
+  if (!evolving_h_) return constant_h_[state_.body[i]];
+  return particles::evolved_h(state_.h, materials_.lowest_density(), rho);
 }
 
 double Solver::largest_support() const {
   if (!evolving_h_) return 2 * state_.h;
-  const double widest = smoothing_length(*std::ranges::min_element(state_.rho));
+  const double widest = particles::evolved_h(state_.h, materials_.lowest_density(),
+                                             *std::ranges::min_element(state_.rho));
   return 2 * (sees_voids_ ? std::max(state_.h, widest) : widest);
 }
 
@@ -252,20 +256,18 @@ void Solver::kick(double duration) {
   const double age = gravity_age() + dt_;
   std::size_t offender = nobody;
   if (fields_.energy) heat(duration);
-  std::visit(
-      [&](const auto& rheology) {
+  materials_.visit_laws(state_.body, [&](const auto&, const auto& rheology) {
 #pragma omp parallel for schedule(static) reduction(min : offender)
-        for (std::size_t i = 0; i < state_.size(); ++i) {
-          state_.v[i] += duration * (rates_.dv_dt[i] + gravity(i, age));
-          state_.rho[i] = particles::changed_density(state_.rho[i], duration * rates_.drho_dt[i]);
-          state_.S[i] = is_frayed(i) ? SymTensor{}
-                                     : yielded(rheology, state_.S[i] + duration * rates_.dS_dt[i],
-                                               confining_pressure(i), condition(i, 0));
-          if (!is_finite(state_.v[i]) || !std::isfinite(trace(state_.S[i]) + state_.rho[i]))
-            offender = std::min(offender, i);
-        }
-      },
-      material_.rheology);
+    for (std::size_t i = 0; i < state_.size(); ++i) {
+      state_.v[i] += duration * (rates_.dv_dt[i] + gravity(i, age));
+      state_.rho[i] = particles::changed_density(state_.rho[i], duration * rates_.drho_dt[i]);
+      state_.S[i] = is_frayed(i) ? SymTensor{}
+                                 : yielded(rheology[i], state_.S[i] + duration * rates_.dS_dt[i],
+                                           confining_pressure(i), condition(i, 0));
+      if (!is_finite(state_.v[i]) || !std::isfinite(trace(state_.S[i]) + state_.rho[i]))
+        offender = std::min(offender, i);
+    }
+  });
   check(offender, "not-finite", "lower numerics.cfl");
 }
 
@@ -283,13 +285,14 @@ void Solver::evaluate_gravity(double elapsed, double planned) {
     return;
   }
   const Tide tide(scene_.environment.primary);
+  const Vec3 primary = tide.place(state_.time);
   // The mean rate of the cycle behind lags by half of it. What it changed by makes up for most of
   // that; all of it would let errors go on from cycle to cycle.
   const double lead = is_staggered() && knows_gravity_rate() ? 0.5 : 0;
   tree_.fit(state_.x);
   gravity_.accelerations(tree_, state_.x, [&](std::size_t i, const Vec3& attraction) {
     const Vec3 before = rates_.g[i];
-    rates_.g[i] = Vec3f(attraction + uniform + tide.acceleration(state_.x[i], state_.time));
+    rates_.g[i] = Vec3f(attraction + uniform + tide.acceleration(state_.x[i], primary));
     if (elapsed <= shortest_telling_cycle * planned) return;
     const Vec3 rate = (Vec3(rates_.g[i]) - before) / elapsed, last = Vec3(rates_.dg_dt[i]);
     rates_.dg_dt[i] = Vec3f(rate + lead * (rate - last));
@@ -313,22 +316,21 @@ double Solver::time_step() const {
   // Rate of signals through h, acceleration over h, rate at which viscosity damps.
   double highest = 0, strongest = 0, thickest = 0;
   const double alpha = viscosity_of(scene_).alpha;
-  std::visit(
-      [&](const auto& eos) {
+  const double shear_modulus = materials_.target().shear_modulus;
+  materials_.visit_laws(state_.body, [&](const auto& eos, const auto&) {
 #pragma omp parallel for schedule(static) reduction(max : highest, strongest, thickest)
-        for (std::size_t i = 0; i < state_.size(); ++i) {
-          const double rho = state_.rho[i], h = smoothing_length(rho);
-          const double c = eos(rho, fields_.energy ? state_.u[i] : 0.0).c;
-          // Expanded damaged material carries no stress, so no wave faster than the reference.
-          const double inertia = std::max(rho, material_.reference_density);
-          const double wave = std::sqrt(c * c + 4 * material_.shear_modulus / (3 * inertia));
-          const double divergence = std::abs(rates_.drho_dt[i]) / rho;
-          highest = std::max(highest, stiffening(i) * wave / h + divergence);
-          strongest = std::max(strongest, norm2(rates_.dv_dt[i]) / (h * h));
-          thickest = std::max(thickest, alpha * c / h);
-        }
-      },
-      material_.eos);
+    for (std::size_t i = 0; i < state_.size(); ++i) {
+      const double rho = state_.rho[i], h = smoothing_length(i, rho);
+      const double c = eos[i](rho, fields_.energy ? state_.u[i] : 0.0).c;
+      // Expanded damaged material carries no stress, so no wave faster than the reference.
+      const double inertia = std::max(rho, reference_density(i));
+      const double wave = std::sqrt(c * c + 4 * shear_modulus / (3 * inertia));
+      const double divergence = std::abs(rates_.drho_dt[i]) / rho;
+      highest = std::max(highest, stiffening(i) * wave / h + divergence);
+      strongest = std::max(strongest, norm2(rates_.dv_dt[i]) / (h * h));
+      thickest = std::max(thickest, alpha * c / h);
+    }
+  });
   double dt = std::numeric_limits<double>::infinity();
   if (highest > 0) dt = scene_.numerics.cfl / highest;
   if (strongest > 0) dt = std::min(dt, acceleration_safety / std::sqrt(std::sqrt(strongest)));
@@ -352,9 +354,9 @@ long Solver::steps_in_cycle() const {
   double v2 = 0;
   for (const Vec3& v : state_.v) v2 += norm2(v);
   const double n = static_cast<double>(state_.size());
-  const double radius = std::cbrt(3 * n * state_.mass / (4 * pi * material_.reference_density));
-  const double change =
-      std::max(std::sqrt(newton_G * material_.reference_density), std::sqrt(v2 / n) / radius);
+  const double rho0 = materials_.highest_density();
+  const double radius = std::cbrt(3 * n * state_.mass / (4 * pi * rho0));
+  const double change = std::max(std::sqrt(newton_G * rho0), std::sqrt(v2 / n) / radius);
   // After a start its rate is not known yet: g is constant, which errs by t/T. Other integrators
   // keep the bits of what was computed with them.
   const bool is_linear = !is_staggered() || knows_gravity_rate();

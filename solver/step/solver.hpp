@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/base/stages.hpp"
-#include "solver/material/material.hpp"
+#include "solver/material/of_bodies.hpp"
 #include "solver/particles/state.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/sph/pair_sums.hpp"
@@ -49,7 +49,7 @@ class Solver {
     return {lists_.built_at(), lists_.support(), builds_in_order_};
   }
   const std::vector<double>& pressure() const { return pressure_; }
-  const material::Material& material() const { return material_; }
+  const material::OfBodies& materials() const { return materials_; }
   double dt() const { return dt_; }
   const StageTimes& stages() const { return stages_; }
   StageTimes& stages() { return stages_; }
@@ -146,7 +146,10 @@ class Solver {
   }
   /// The density that gives the volume of a particle in the sums, kg/m^3.
   double filling_density(double rho) const { return std::max(rho, thinnest_); }
-  double smoothing_length(double rho) const;
+  double reference_density(std::size_t i) const {
+    return materials_.reference_density(state_.body[i]);
+  }
+  double smoothing_length(std::size_t i, double rho) const;
   double largest_support() const;
   material::Condition condition(std::size_t i, double ahead) const;
   SymTensor predicted_stress(std::size_t i, double ahead) const;
@@ -167,7 +170,7 @@ class Solver {
   Scene scene_;
   particles::State state_;
   particles::Rates rates_;
-  material::Material material_;
+  material::OfBodies materials_;
   particles::OptionalFields fields_;
   Gradient gradient_;
   double thinnest_;        ///< see filling_density, kg/m^3
@@ -176,6 +179,7 @@ class Solver {
   material::Flaws flaws_;
   std::vector<tree::Mirror> walls_;
   bool evolving_h_;
+  std::array<double, 2> constant_h_;  ///< of each body where h does not evolve, m
   bool sees_voids_;
   Sums sums_;
   Integrator integrator_;

@@ -96,7 +96,7 @@ void step::Solver::set_middle_rows(double duration) {
         const double rho = predicted_density(i, duration / 2);
         sums.rows.set_motion(i, middle(i), state_.v[i], state_.mass / filling_density(rho));
         if constexpr (std::remove_cvref_t<decltype(sums)>::extended)
-          sums.rows.set_extra(i, {}, smoothing_length(rho));
+          sums.rows.set_extra(i, {}, smoothing_length(i, rho));
       }
     }
   });
@@ -124,9 +124,10 @@ std::size_t step::Solver::go_on(std::size_t i, std::size_t count, double duratio
                            : trace(s.G);
   // By the midpoint rule, as stress turns with its own rate.
   const P half = splat(duration / 2), whole = splat(duration);
-  const SymTensorOf<P> middle = S + half * sph::stress_rate(S, gradient, material_.shear_modulus);
+  const SymTensorOf<P> middle =
+      S + half * sph::stress_rate(S, gradient, materials_.target().shear_modulus);
   const SymTensorOf<P> trial =
-      S + whole * sph::stress_rate(middle, gradient, material_.shear_modulus);
+      S + whole * sph::stress_rate(middle, gradient, materials_.target().shear_modulus);
   const P after = rho * thinned(P(whole * divergence));
   if (fields_.energy)
     for (std::size_t l = 0; l < count; ++l)
@@ -157,17 +158,15 @@ void step::Solver::heat_by_strain(std::size_t i, double duration, const Strained
   const double share = duration / 2 / filling_density(predicted_density(i, duration / 2));
   const double shear = shear_power(state_.S[i], L_before),
                press = -pressure_[i] * dilation(L_before);
-  std::visit(
-      [&](const auto& eos, const auto& rheology) {
-        material::Condition then = condition(i, 0);
-        then.u += 2 * share * (shear + press);
-        double p = rheology.pressure(eos(now.rho_after, then.u).p, then);
-        if (is_void(i)) p = std::min(p, 0.0);
-        const double shear_after = shear_power(yielded(rheology, now.trial, p, then), L_after);
-        state_.shear_work[i] += share * (shear + shear_after);
-        state_.u[i] += share * (shear + shear_after + press - p * dilation(L_after));
-      },
-      material_.eos, material_.rheology);
+  materials_.visit_laws(state_.body, [&](const auto& eos, const auto& rheology) {
+    material::Condition then = condition(i, 0);
+    then.u += 2 * share * (shear + press);
+    double p = rheology[i].pressure(eos[i](now.rho_after, then.u).p, then);
+    if (is_void(i)) p = std::min(p, 0.0);
+    const double shear_after = shear_power(yielded(rheology[i], now.trial, p, then), L_after);
+    state_.shear_work[i] += share * (shear + shear_after);
+    state_.u[i] += share * (shear + shear_after + press - p * dilation(L_after));
+  });
 }
 
 /// Where matter is softer and viscosity keeps its size, viscosity is what would shorten steps.

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstring>
+#include <vector>
 
 #include "solver/sph/flat_surface.hpp"
 #include "solver/sph/kernel.hpp"
@@ -17,12 +19,42 @@ constexpr double cos_of_sight = 0.7071;
 /// first moment: s^2/2R of the layer above, 0.04 of the reference density.
 constexpr double convexity = 0.95;
 
-/// How particle k of a bucket is surrounded. Places are in units of h.
+/// What lies around the particles of a bucket. Places are in units of one h for all.
+struct Around {
+  tree::Places at;
+  /// The inverse of the reference density of each, m^3/kg; empty where all have one.
+  std::vector<float> per_density;
+
+  void clear() { at.clear(), per_density.clear(); }
+  void pad() {
+    at.pad();
+    if (!per_density.empty()) per_density.resize(at.x.size());
+  }
+};
+
+/// How particle k of a bucket is surrounded.
 template <class Kernel>
 struct Surroundings {
-  const tree::Places& around;
+  const Around& around;
   std::size_t k;
+  double rho0;        ///< of the particle, kg/m^3
   double per_volume;  ///< m/h^3 and the kernel's normalisation, kg/m^3
+  float finer;        ///< units of place over its own h
+
+  tree::Places::Offsets offsets(std::size_t first) const {
+    const tree::Places& at = around.at;
+    auto [x, y, z] = at.offsets(first, at.x[k], at.y[k], at.z[k]);
+    if (!around.per_density.empty()) x *= finer, y *= finer, z *= finer;
+    return {x, y, z};
+  }
+  /// A particle of other density takes another volume: its kernel in the units of this one.
+  Pack<float> weight(std::size_t first, const Pack<float>& r) const {
+    const Pack<float> w = Kernel::w(r);
+    if (around.per_density.empty()) return w;
+    Pack<float> per_density;
+    std::memcpy(&per_density, around.per_density.data() + first, sizeof per_density);
+    return w * per_density * static_cast<float>(rho0);
+  }
 
   struct Moments {
     double density;  ///< sum_j m W_ij, kg/m^3
@@ -30,10 +62,10 @@ struct Surroundings {
   };
   Moments moments() const {
     Pack<float> sum{}, mx{}, my{}, mz{};
-    for (std::size_t first = 0; first < around.x.size(); first += lanes<float>) {
-      const auto [dx, dy, dz] = around.offsets(first, around.x[k], around.y[k], around.z[k]);
+    for (std::size_t first = 0; first < around.at.x.size(); first += lanes<float>) {
+      const auto [dx, dy, dz] = offsets(first);
       const Pack<float> r2 = dx * dx + dy * dy + dz * dz + 1e-12f;  // 1/r is finite
-      const Pack<float> w = Kernel::w(Pack<float>(r2 * inverse_sqrt(r2)));
+      const Pack<float> w = weight(first, r2 * inverse_sqrt(r2));
       sum += w;
       mx -= w * dx, my -= w * dy, mz -= w * dz;
     }
@@ -45,8 +77,8 @@ struct Surroundings {
                nz = static_cast<float>(normal.z);
     const float cos2 = static_cast<float>(cos_of_sight * cos_of_sight);
     Pack<float> seen{};  // summed over all: leaving at the first one would take lanes apart
-    for (std::size_t first = 0; first < around.x.size(); first += lanes<float>) {
-      const auto [dx, dy, dz] = around.offsets(first, around.x[k], around.y[k], around.z[k]);
+    for (std::size_t first = 0; first < around.at.x.size(); first += lanes<float>) {
+      const auto [dx, dy, dz] = offsets(first);
       const Pack<float> r2 = dx * dx + dy * dy + dz * dz, ahead = nx * dx + ny * dy + nz * dz;
       seen += (ahead > 0) & (r2 < 4) & (ahead * ahead > cos2 * r2) ? splat(1.f) : splat(0.f);
     }
@@ -70,7 +102,7 @@ struct Surroundings {
 void Solver::find_voids() {
   if (!sees_voids_) return;
   const StageTimer timer(stages_, Stage::material);
-  const double rho0 = material_.reference_density, part = scene_.numerics.void_density;
+  const double part = scene_.numerics.void_density;
   const bool gaps_only = scene_.numerics.voids == "gaps";
   is_void_.resize(state_.size());
   std::visit(
@@ -78,6 +110,7 @@ void Solver::find_voids() {
         using Kernel = decltype(kernel);
         const auto has_room = [&](const Surroundings<Kernel>& seen) {
           const auto [density, outward] = seen.moments();
+          const double rho0 = seen.rho0;
           if (density >= part * rho0) return false;
           if (!gaps_only) return true;
           const double m = norm(outward);
@@ -87,18 +120,24 @@ void Solver::find_voids() {
         };
 #pragma omp parallel
         {
-          tree::Places around;
+          Around around;
 #pragma omp for schedule(dynamic, 8)
           for (std::size_t b = 0; b < lists_.buckets(); ++b) {
             const std::size_t begin = b * tree::bucket_size;
             around.clear();
-            lists_.visit_around(b, state_.x, [&](const Vec3& there) {
-              around.push((there - state_.x[begin]) / state_.h);
+            lists_.visit_around(b, state_.x, [&](const Vec3& there, std::size_t j) {
+              around.at.push((there - state_.x[begin]) / state_.h);
+              if (materials_.has_two_densities())
+                around.per_density.push_back(static_cast<float>(1 / reference_density(j)));
             });
             around.pad();
-            const double per_volume = state_.mass * Kernel::normalisation / cubed(state_.h);
-            for (std::size_t k = 0; k < tree::bucket_size && begin + k < state_.size(); ++k)
-              is_void_[begin + k] = has_room({around, k, per_volume});
+            for (std::size_t k = 0; k < tree::bucket_size && begin + k < state_.size(); ++k) {
+              const double rho0 = reference_density(begin + k),
+                           h = constant_h_[state_.body[begin + k]];
+              const double per_volume = state_.mass * Kernel::normalisation / cubed(h);
+              is_void_[begin + k] =
+                  has_room({around, k, rho0, per_volume, static_cast<float>(state_.h / h)});
+            }
           }
         }
       },
@@ -110,7 +149,7 @@ void Solver::close_voids() {
   if (is_void_.empty()) return;
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < is_void_.size(); ++i)
-    if (is_void_[i]) state_.rho[i] = std::min(state_.rho[i], material_.reference_density);
+    if (is_void_[i]) state_.rho[i] = std::min(state_.rho[i], reference_density(i));
 }
 
 }  // namespace eerie::step

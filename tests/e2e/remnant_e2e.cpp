@@ -57,6 +57,17 @@ TEST_F(SecondImpact, BeginsWithWhatTheFirstLeft) {
   EXPECT_TRUE(fs::exists(folder / "second/result.json"));
 }
 
+TEST_F(SecondImpact, IsRefusedARemnantOfTwoMaterials) {
+  json first = json::parse(read_file(folder / "first.json"));
+  first["impactor"] = {{"material", {{"phi_d_deg", 20}}}};
+  install_text(folder / "two.json", first.dump());
+  ASSERT_EQ(eerie({"solve", "two.json", "--out", "two", "--quiet"}).code, 0);
+  const Ended refused = eerie({"remnant", "two", "-o", "two.hdf5"});
+  EXPECT_NE(refused.code, 0);
+  EXPECT_THAT(refused.err, HasSubstr("two materials"));
+  EXPECT_FALSE(fs::exists(folder / "two.hdf5"));
+}
+
 TEST_F(SecondImpact, TurnsItAsTheSceneSays) {
   second["target"]["shape"]["turn_deg"] = 90;
   second["target"]["spin"] = {{"tilt_deg", 180}};

@@ -113,15 +113,15 @@ TEST(Lundborg, RubbleHasFrictionUpToTheStrengthOfRock) {
 }
 
 TEST(Material, LongitudinalWaveIsFasterThanSoundByShear) {
-  const Material sheared = make_material(small_scene());
-  const Material fluid = make_material(small_scene({{"material", {{"rheology", "fluid"}}}}));
+  const Material sheared = make_material(small_scene().material);
+  const Material fluid = make_material(small_scene({{"material", {{"rheology", "fluid"}}}}).material);
   EXPECT_DOUBLE_EQ(sheared.longitudinal_speed(), std::sqrt((26700 + 4 * 22700 / 3.0) / 2700));
   EXPECT_DOUBLE_EQ(fluid.longitudinal_speed(), std::sqrt(26700 / 2700.0));
 }
 
 TEST(Material, YoungModulusFollowsFromBulkAndShear) {
   // K = 26,700 and G = 22,700 Pa: E = 9 K G/(3 K + G), and back again nu = E/(2G) - 1.
-  const double E = make_material(small_scene()).young_modulus();
+  const double E = make_material(small_scene().material).young_modulus();
   const double nu = E / (2 * 22700) - 1;
   EXPECT_NEAR(E / (3 * (1 - 2 * nu)), 26700, 1e-8);
 }
@@ -129,7 +129,7 @@ TEST(Material, YoungModulusFollowsFromBulkAndShear) {
 TEST(Material, UnknownNamesAreRefused) {
   Scene scene = small_scene();
   scene.material.rheology = "jelly";
-  EXPECT_THROW(make_material(scene), InputError);
+  EXPECT_THROW(make_material(scene.material), InputError);
 }
 
 }  // namespace

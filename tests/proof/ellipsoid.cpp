@@ -76,7 +76,7 @@ particles::State resting_ellipsoid(const Scene& scene, double ratio, double W) {
   }
   // Friction of 75 degrees holds any of these shapes; motion relative to the spin is damped away.
   step::Solver solver(with_friction(scene, 75), state);
-  const double crossing = scene.target.radius_m / solver.material().longitudinal_speed();
+  const double crossing = scene.target.radius_m / solver.materials().target().longitudinal_speed();
   while (solver.state().time < 40 * crossing) {
     const double before = solver.state().time;
     solver.cycle(1e9);

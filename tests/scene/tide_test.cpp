@@ -40,7 +40,8 @@ std::string refusal(const json& changes) {
 TEST(Tide, IsNothingWithoutAPrimary) {
   const Scene scene = test::small_scene();
   EXPECT_FALSE(has_primary(scene));
-  EXPECT_EQ(Tide(scene.environment.primary).acceleration({1, 2, 3}, 4), Vec3{});
+  const Tide tide(scene.environment.primary);
+  EXPECT_EQ(tide.acceleration({1, 2, 3}, tide.place(4)), Vec3{});
   EXPECT_EQ(hill_radius(scene), std::numeric_limits<double>::infinity());
 }
 
@@ -48,7 +49,8 @@ TEST(Tide, IsThePullHereLessThePullInTheMiddle) {
   const Tide tide(fields());
   const double G_M = newton_G * 4.95e11;
   // On the line to the primary and square to it, by hand.
-  const Vec3 near = tide.acceleration({100, 0, 0}, 0), side = tide.acceleration({0, 0, 100}, 0);
+  const Vec3 near = tide.acceleration({100, 0, 0}, tide.place(0)),
+             side = tide.acceleration({0, 0, 100}, tide.place(0));
   EXPECT_NEAR(near.x, G_M / (1400.0 * 1400) - G_M / (1500.0 * 1500), 1e-18);
   EXPECT_EQ(near.y, 0);
   const double away = std::hypot(1500, 100);
@@ -61,9 +63,9 @@ TEST(Tide, OfAFarPrimaryStretchesTwiceAsMuchAsItSqueezes) {
   far.distance_m = 1.5e6, far.mass_kg = 4.95e20;
   const double mu = newton_G * far.mass_kg / std::pow(far.distance_m, 3);
   const Tide tide(far);
-  EXPECT_NEAR(tide.acceleration({10, 0, 0}, 0).x / (2 * mu * 10), 1, 1e-4);
-  EXPECT_NEAR(tide.acceleration({0, 10, 0}, 0).y / (-mu * 10), 1, 1e-4);
-  EXPECT_NEAR(tide.acceleration({0, 0, 10}, 0).z / (-mu * 10), 1, 1e-4);
+  EXPECT_NEAR(tide.acceleration({10, 0, 0}, tide.place(0)).x / (2 * mu * 10), 1, 1e-4);
+  EXPECT_NEAR(tide.acceleration({0, 10, 0}, tide.place(0)).y / (-mu * 10), 1, 1e-4);
+  EXPECT_NEAR(tide.acceleration({0, 0, 10}, tide.place(0)).z / (-mu * 10), 1, 1e-4);
 }
 
 TEST(Tide, TurnsWithThePeriodOfKeplersLaw) {
@@ -80,7 +82,7 @@ TEST(Tide, TurnsWithThePeriodOfKeplersLaw) {
 
 TEST(Tide, IsFiniteInsideThePrimary) {
   const Tide tide(fields());
-  const Vec3 middle = tide.acceleration(tide.place(0), 0);
+  const Vec3 middle = tide.acceleration(tide.place(0), tide.place(0));
   EXPECT_NEAR(middle.x, -newton_G * 4.95e11 / (1500.0 * 1500), 1e-18);
 }
 

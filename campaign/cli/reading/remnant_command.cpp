@@ -9,6 +9,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/base/file.hpp"
 #include "solver/base/sha256.hpp"
+#include "solver/scene/two_materials.hpp"
 
 namespace eerie::cli {
 namespace fs = std::filesystem;
@@ -47,6 +48,11 @@ Answer keep_remnant(const RemnantArguments& a) {
   text::require_folder_of(a.file);
   const fs::path path = queries::snapshot_of(a.database, a.job);
   const remnants::Alone remnant = remnants::alone(io::read_snapshot(path), a.rank, path);
+  if (has_two_materials(remnant.snapshot.scene))
+    throw InputError(fmt::format(
+        "job {}: its bodies are of two materials, and a kept remnant is of one; keep one of an "
+        "impact without impactor.material",
+        a.job));
   io::write_snapshot(a.file, remnant.snapshot);
   Answer answer;
   answer.data = {{"snapshot", path.string()},

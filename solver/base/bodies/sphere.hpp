@@ -36,10 +36,13 @@ inline double fastest_spin(double rho, double mu) {
 }
 
 /// The mutual escape speed at contact, sqrt(2 G (M_t + M_i) / (R_t + R_i)), m/s. The impactor has
-/// the density of `target` and `q` times its mass.
+/// `q` times the mass of `target`.
+inline double mutual_escape_speed(const Sphere& target, double impactor_radius, double q) {
+  return std::sqrt(2 * newton_G * mass(target) * (1 + q) / (target.radius + impactor_radius));
+}
+/// The same for an impactor of the density of `target`.
 inline double mutual_escape_speed(const Sphere& target, double q) {
-  return std::sqrt(2 * newton_G * mass(target) * (1 + q) /
-                   (target.radius + target.radius * std::cbrt(q)));
+  return mutual_escape_speed(target, target.radius * std::cbrt(q), q);
 }
 
 }  // namespace eerie

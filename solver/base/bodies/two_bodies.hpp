@@ -14,10 +14,10 @@ struct Contact {
   double mu = 0;  ///< G times the sum of the masses, m^3/s^2
 };
 
-/// The contact of `target` with an impactor of the same density and `q` times its mass.
-inline Contact contact_of(const Sphere& target, double q, double speed, double angle) {
-  return {target.radius + target.radius * std::cbrt(q), speed, angle,
-          newton_G * mass(target) * (1 + q)};
+/// The contact of `target` with an impactor of `q` times its mass.
+inline Contact contact_of(const Sphere& target, double impactor_radius, double q, double speed,
+                          double angle) {
+  return {target.radius + impactor_radius, speed, angle, newton_G * mass(target) * (1 + q)};
 }
 
 /// The square of the radial speed, (m/s)^2, when the two centres were `distance` apart. It follows

@@ -48,10 +48,16 @@ TEST_F(ImpactRunsOf, OtherBodiesAreLeftOutAndCounted) {
   json half_stiff = survey_scene(1, 40, 20, 15, 1);
   half_stiff["material"]["tillotson"]["A_Pa"] = 2.67e5;
   add_impact(connection, half_stiff, 0.2);
+  json spinning = survey_scene(1, 40, 20, 15, 1);
+  spinning["impactor"]["spin"]["period_h"] = 6;
+  add_impact(connection, spinning, 0.2);
+  json unlike = survey_scene(1, 40, 20, 15, 1);
+  unlike["impactor"]["material"]["phi_d_deg"] = 20;
+  add_impact(connection, unlike, 0.2);
   const ImpactRuns found = all();
   EXPECT_TRUE(found.runs.empty());
-  EXPECT_EQ(found.other_bodies, 3u);
-  EXPECT_THAT(remark(found), HasSubstr("3 are of other bodies than the paper's and left out"));
+  EXPECT_EQ(found.other_bodies, 5u);
+  EXPECT_THAT(remark(found), HasSubstr("5 are of other bodies than the paper's and left out"));
 }
 
 TEST_F(ImpactRunsOf, StifferBodiesAreKnownAsSuchAndInNoGroup) {
