@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/flight/flight.hpp"
+#include "solver/scene/two_materials.hpp"
 
 namespace eerie::ending {
 
@@ -58,7 +59,7 @@ std::optional<particles::Landing> flight_from(const io::Snapshot& now, double un
 
   flight::FlightPlan plan;
   plan.until_s = until;
-  plan.spacing = std::cbrt(now.state.mass / scene.material.rho0_kg_per_m3);
+  plan.spacing = std::cbrt(now.state.mass / lowest_density(scene));
   plan.opening_angle = scene.numerics.opening_angle;
   plan.heavy = heavy_over_total * total;
   plan.most_landed = most_landed;

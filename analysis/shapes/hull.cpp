@@ -8,6 +8,7 @@
 #include "analysis/shapes/shape.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/base/random.hpp"
+#include "solver/scene/two_materials.hpp"
 
 namespace eerie::shapes {
 
@@ -160,7 +161,7 @@ HullBox box_of_hull(std::span<const Vec3> x, double radius) {
 }
 
 double particle_radius(const io::Snapshot& snapshot) {
-  const double volume = snapshot.state.mass / snapshot.scene.material.rho0_kg_per_m3;
+  const double volume = snapshot.state.mass / lowest_density(snapshot.scene);
   return std::cbrt(3 * volume / (4 * pi));
 }
 

@@ -9,6 +9,7 @@
 #include "db/jobs/jobs.hpp"
 #include "db/views/query.hpp"
 #include "solver/scene/scene.hpp"
+#include "solver/scene/two_materials.hpp"
 
 namespace eerie::catalogue {
 namespace {
@@ -70,6 +71,7 @@ std::string catalogue_csv(const db::Connection& connection, const db::ViewQuery&
   for (const db::ResultRow& row : db::selected_results(connection, query)) {
     // A scene of another version of the program may lack fields: defaults fill them in.
     const Scene scene = parse_scene(nlohmann::json::parse(db::scene(connection, row.job)));
+    if (has_two_materials(scene)) continue;  // a catalogue has one density for both bodies
     const Line line{row, scene};
     std::string fields;
     for (const Column& column : columns())

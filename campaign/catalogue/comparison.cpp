@@ -14,6 +14,7 @@
 #include "db/views/query.hpp"
 #include "db/views/view.hpp"
 #include "solver/scene/scene.hpp"
+#include "solver/scene/two_materials.hpp"
 
 namespace eerie::catalogue {
 using text::both, text::data, text::or_null, text::shown;
@@ -71,7 +72,7 @@ struct Tally {
 bool has_bodies(const db::Connection& connection, std::int64_t job, const CatalogueImpact& impact) {
   const Scene scene = parse_scene(nlohmann::json::parse(db::scene(connection, job)));
   return close(scene.target.radius_m, impact.radius_m) &&
-         close(scene.material.rho0_kg_per_m3, impact.rho0_kg_per_m3);
+         close(scene.material.rho0_kg_per_m3, impact.rho0_kg_per_m3) && !has_two_materials(scene);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "analysis/paper/threshold.hpp"
@@ -51,16 +53,20 @@ std::string sentence(const Impacts& impacts, std::optional<double> published) {
 }  // namespace
 
 std::vector<std::string> finding(const std::vector<db::ResultRow>& rows) {
-  std::map<std::pair<double, double>, Impacts> groups;
+  std::map<std::tuple<double, double, std::int64_t>, Impacts> groups;
   for (const db::ResultRow& row : rows) {
-    bool& elongated = groups[{row.q, row.phi_d_deg}][{row.v_imp_cm_per_s, row.theta_imp_deg}];
+    bool& elongated =
+        groups[{row.q, row.phi_d_deg, row.settings}][{row.v_imp_cm_per_s, row.theta_imp_deg}];
     elongated = elongated || row.result.n_eer > 0;
   }
   std::vector<std::string> sentences;
+  std::set<std::int64_t> settings;
+  for (const db::ResultRow& row : rows) settings.insert(row.settings);
   for (const auto& [point, impacts] : groups) {
-    const auto [q, phi_d] = point;
-    const std::string where =
-        groups.size() > 1 ? fmt::format("q {:g}, phi_d {:g} deg: ", q, phi_d) : "";
+    const auto [q, phi_d, of] = point;
+    std::string where = groups.size() > 1 ? fmt::format("q {:g}, phi_d {:g} deg", q, phi_d) : "";
+    if (settings.size() > 1) where += fmt::format(", settings {}", of);
+    if (!where.empty()) where += ": ";
     sentences.push_back(where + sentence(impacts, paper::published_threshold(q, phi_d)));
   }
   return sentences;

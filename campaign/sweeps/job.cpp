@@ -11,6 +11,7 @@
 #include "solver/base/bodies/sphere.hpp"
 #include "solver/base/constants.hpp"
 #include "solver/scene/guards.hpp"
+#include "solver/scene/two_materials.hpp"
 
 namespace eerie::sweeps {
 
@@ -35,9 +36,11 @@ double expected_end_s(const Scene& scene) {
 constexpr double typical_part_with_softening = 0.23;
 
 double expected_particle_steps(const Scene& scene) {
-  const double c = bulk_sound_speed(scene);
-  const double c_l =
-      std::sqrt(c * c + 4.0 / 3 * scene.material.shear_modulus_Pa / scene.material.rho0_kg_per_m3);
+  // Waves are fastest in the less dense body, whose particles are the larger ones.
+  const double c = bulk_sound_speed(scene), rho = lowest_density(scene);
+  const double denser =
+      std::max(scene.material.rho0_kg_per_m3, impactor_material(scene).rho0_kg_per_m3) / rho;
+  const double c_l = std::sqrt(denser * c * c + 4.0 / 3 * scene.material.shear_modulus_Pa / rho);
   const double dt = scene.numerics.cfl * smoothing_length(scene) / c_l;
   const auto particles =
       static_cast<double>(scene.numerics.particles_per_target + impactor_particles(scene));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "solver/scene/tide.hpp"
+#include "solver/scene/two_materials.hpp"
 
 namespace eerie {
 
@@ -71,6 +72,14 @@ const Guard guards[] = {
      "matter bends by percents before it yields and rebounds like rubber; raise "
      "material.shear_modulus_Pa, tillotson.A_Pa and B_Pa in proportion to a hundred times the "
      "cohesion or more"},
+    {"impactor.material.cohesion_Pa",
+     [](const Scene& s) { return impactor_material(s).drucker_prager.cohesion_Pa; },
+     [](const Scene& s) {
+       const double own = s.impactor.material.cohesion_Pa.value_or(0);
+       return own > 0.01 * s.material.shear_modulus_Pa;
+     },
+     "matter bends by percents before it yields and rebounds like rubber; raise the moduli in "
+     "proportion to a hundred times the cohesion or more"},
     {"environment.primary.distance_m",
      [](const Scene& s) { return s.environment.primary.distance_m; },
      [](const Scene& s) { return hill_radius(s) < contact_distance(s); },

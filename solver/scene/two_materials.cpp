@@ -12,8 +12,8 @@ namespace eerie {
 
 namespace {
 
-/// Largest ratio of densities that the proofs cover.
-constexpr double most_contrast = 4;
+/// Largest ratio of densities, which the proofs cover.
+constexpr double most_contrast = 27.0 / 8;
 
 }  // namespace
 
@@ -69,6 +69,14 @@ void require_fitting_materials(const Scene& scene, const std::string& where) {
         "{}.impactor.material: a material of its own is for rubble; leave it out, or set "
         "material.eos to \"tillotson\" or \"linear\" and material.fracture to \"none\"",
         where));
+  const bool own_strength =
+      impactor_material(scene).drucker_prager.phi_d_deg != m.drucker_prager.phi_d_deg ||
+      impactor_material(scene).drucker_prager.cohesion_Pa != m.drucker_prager.cohesion_Pa;
+  if (own_strength && m.rheology != "drucker-prager")
+    throw InputError(fmt::format(
+        "{}.impactor.material: friction and cohesion do nothing in material of rheology \"{}\"; "
+        "leave phi_d_deg and cohesion_Pa out, or set material.rheology to \"drucker-prager\"",
+        where, m.rheology));
   if (!has_two_densities(scene)) return;
   const double rho = *scene.impactor.material.rho0_kg_per_m3, target = m.rho0_kg_per_m3;
   if (std::max(rho, target) > most_contrast * std::min(rho, target))

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/base/constants.hpp"
+#include "solver/scene/two_materials.hpp"
 #include "solver/tree/kd_tree.hpp"
 #include "solver/tree/neighbour_list.hpp"
 
@@ -44,8 +45,7 @@ double deformation_rate(const particles::State& s) {
 
 double flow_speed(const io::Snapshot& snapshot) {
   const particles::State& s = snapshot.state;
-  const double volume =
-      s.mass * static_cast<double>(s.size()) / snapshot.scene.material.rho0_kg_per_m3;
+  const double volume = s.mass * static_cast<double>(s.size()) / lowest_density(snapshot.scene);
   return deformation_rate(s) * std::cbrt(3 * volume / (4 * pi));
 }
 

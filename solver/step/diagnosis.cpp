@@ -1,6 +1,8 @@
 #include "solver/step/diagnosis.hpp"
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "solver/sph/kernel.hpp"
 #include "solver/step/solver.hpp"
@@ -18,28 +20,32 @@ struct Arrangement {
   bool inside;
 };
 
-/// Of every particle, by plain sums.
+/// Of every particle, by plain sums over volumes at rest and in the units of its own body.
 template <class Kernel>
-std::vector<Arrangement> arrangements(const particles::State& s, double reference_density) {
+std::vector<Arrangement> arrangements(const particles::State& s,
+                                      const material::OfBodies& materials,
+                                      const std::array<double, 2>& size) {
   tree::KdTree tree(s.size());
   tree.fit(s.x);
   tree::NeighbourList lists(2 * s.h, 0);
   lists.build(tree, s.x);
   std::vector<Arrangement> found(s.size());
-  const double scale = Kernel::normalisation / cubed(s.h);
 #pragma omp parallel for schedule(dynamic, 8)
   for (std::size_t b = 0; b < lists.buckets(); ++b) {
     for (std::size_t k = 0, i = b * tree::bucket_size; k < tree::bucket_size && i < s.size();
          ++k, ++i) {
+      const double h = s.h * size[s.body[i]], rho0 = materials.reference_density(s.body[i]);
+      const double scale = Kernel::normalisation / cubed(h);
       double density = s.mass * scale * Kernel::w(0.0), neighbours = 0;
       Vec3 gradient;
-      lists.visit_listed(b, k, s.x, [&](const Vec3& there) {
+      lists.visit_listed(b, k, s.x, [&](const Vec3& there, std::size_t j) {
         const Vec3 d = s.x[i] - there;
-        const double q = norm(d) / s.h;
+        const double q = norm(d) / h;
         if (q >= 2 || q == 0) return;
         ++neighbours;
-        density += s.mass * scale * Kernel::w(q);
-        gradient += (s.mass / reference_density * scale * Kernel::dw_over_q(q, 1 / q) / s.h) * d;
+        const double V = s.mass / materials.reference_density(s.body[j]);
+        density += rho0 * V * scale * Kernel::w(q);
+        gradient += (V * scale * Kernel::dw_over_q(q, 1 / q) / h) * d;
       });
       found[i] = {density, norm(gradient) < evenness && neighbours > fewest_neighbours};
     }
@@ -56,10 +62,11 @@ Diagnosis diagnose(const io::Snapshot& snapshot) {
   scene.environment.self_gravity = false;  // sums do not need it, and it costs more than they do
   const Solver solver(scene, snapshot.state);
   const particles::State& s = solver.state();
-  const double reference_density = solver.materials().target().reference_density;
-  const std::vector<Arrangement> arrangement =
-      std::visit([&](auto kernel) { return arrangements<decltype(kernel)>(s, reference_density); },
-                 sph::make_kernel(scene.numerics.kernel));
+  const std::vector<Arrangement> arrangement = std::visit(
+      [&](auto kernel) {
+        return arrangements<decltype(kernel)>(s, solver.materials(), particle_sizes(scene));
+      },
+      sph::make_kernel(scene.numerics.kernel));
   Diagnosis d;
   double volume = 0, inside = 0;
   for (std::size_t i = 0; i < s.size(); ++i) {

@@ -61,8 +61,8 @@ class NeighbourList {
   const std::vector<MirrorImage>& images() const { return images_; }
 
   const BucketList& operator[](std::size_t bucket) const { return buckets_[bucket]; }
-  /// Calls visit(position) for every neighbour that particle k of a bucket lists, images and those
-  /// beyond the support included. Particles are at `x`.
+  /// Calls visit(position, index) for every neighbour that particle k of a bucket lists, images and
+  /// those beyond the support included. Particles are at `x`.
   template <class Visit>
   void visit_listed(std::size_t bucket, std::size_t k, const std::vector<Vec3>& x,
                     Visit&& visit) const {
@@ -70,7 +70,7 @@ class NeighbourList {
     for (std::uint32_t e = list.begin[k]; e < list.begin[k + 1]; ++e) {
       const std::size_t place = list.index[e] / row_units_;
       if (place >= list.rows.size()) continue;  // padding
-      visit(list.as_seen(place, x[list.rows[place]], images_));
+      visit(list.as_seen(place, x[list.rows[place]], images_), list.rows[place]);
     }
   }
   /// Calls visit(position, index) for the particles of a bucket, and then for all neighbours that

@@ -2,7 +2,8 @@
 
 namespace eerie::proof {
 
-// Two layers of one particle mass, whose spacings are as 3 to 2 and densities as 8 to 27.
+// Two layers of one particle mass, whose spacings are as 3 to 2 and densities as 8 to 27, the most
+// that scenes may have.
 
 inline constexpr double light_density = 800, dense_density = 2700;  // kg/m^3
 

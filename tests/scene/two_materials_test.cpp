@@ -78,13 +78,16 @@ TEST(TwoMaterials, OfTwoDensitiesHaveTheRadiiOfTheirMasses) {
 }
 
 TEST(TwoMaterials, NameTheBoundThatTheyCross) {
-  EXPECT_THAT(refusal(own({{"rho0_kg_per_m3", 600}})), HasSubstr("give 675 to 10800"));
+  EXPECT_THAT(refusal(own({{"rho0_kg_per_m3", 700}})), HasSubstr("give 800 to 9112.5"));
   EXPECT_THAT(
       refusal(own({{"rho0_kg_per_m3", 1350}}, {{"numerics", {{"artificial_stress", 0.3}}}})),
       HasSubstr("artificial_stress = 0.3"));
   EXPECT_THAT(refusal(own({{"phi_d_deg", 20}},
                           {{"material", {{"rheology", "lundborg"}, {"fracture", "grady-kipp"}}}})),
               HasSubstr("is for rubble"));
+  EXPECT_THAT(refusal(own({{"phi_d_deg", 20}}, {{"material", {{"rheology", "fluid"}}}})),
+              HasSubstr("rheology \"fluid\""));
+  EXPECT_EQ(refusal(own({{"rho0_kg_per_m3", 1350}}, {{"material", {{"rheology", "fluid"}}}})), "");
   EXPECT_THAT(refusal(own({{"phi_d_deg", 95}})), HasSubstr("impactor.material.phi_d_deg = 95"));
   EXPECT_THAT(refusal(own({{"colour", 1}})), HasSubstr("impactor.material.colour"));
 }

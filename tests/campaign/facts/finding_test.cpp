@@ -38,5 +38,13 @@ TEST(Finding, HasOneSentencePerMassRatioAndFriction) {
                   "0.3), at v sin(theta) = 6.8 cm/s; the paper has them along 7.4 cm/s"));
 }
 
+TEST(Finding, KeepsImpactsOfOtherSettingsApart) {
+  db::ResultRow other = row(45, 18, 15, 0);
+  other.settings = 2;
+  EXPECT_THAT(finding({row(45, 18, 15, 1), other}),
+              ElementsAre(testing::StartsWith("q 1, phi_d 45 deg, settings 0: 1 of 1"),
+                          testing::StartsWith("q 1, phi_d 45 deg, settings 2: none of 1")));
+}
+
 }  // namespace
 }  // namespace eerie::facts
