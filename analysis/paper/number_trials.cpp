@@ -88,8 +88,10 @@ void Trial::operator()(const NumberIs& claim) {
 void Trial::operator()(const AlmostMerges&) { most_runs(only().runs, almost_merged, "merge"); }
 
 void Trial::operator()(const ShapeLasts& claim) {
+  constexpr double rounding = 1e-9;  // of a time that is a sum of steps
   std::vector<const ImpactRun*> late = only().runs;
-  std::erase_if(late, [&](const ImpactRun* run) { return run->ended_at_s < claim.until_s; });
+  std::erase_if(
+      late, [&](const ImpactRun* run) { return run->ended_at_s < claim.until_s * (1 - rounding); });
   most_runs(late, largest_is_eer, "are elongated then");
   if (late.size() < only().runs.size())
     f_.found += fmt::format("{}{} of {} runs last so long", late.empty() ? "" : "; ", late.size(),

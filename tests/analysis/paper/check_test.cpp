@@ -80,6 +80,7 @@ TEST(Check, BelievesThatAShapeLastsOnlyOfRunsThatLast) {
   EXPECT_THAT(early.found, HasSubstr("0 of 3 runs last so long"));
   EXPECT_THAT(early.to_run, HasSubstr("--set end.time_s=100000"));
   for (ImpactRun& run : runs) run.ended_at_s = 1e5;
+  runs[2].ended_at_s = 99999.9999999999;  // the sum of its steps
   EXPECT_EQ(verdict("reference-lasts", runs), agrees);
   for (ImpactRun& run : runs) run.remnants[0].eer = false;
   EXPECT_EQ(verdict("reference-lasts", runs), disagrees);
