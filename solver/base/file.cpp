@@ -127,10 +127,10 @@ void install_file(const fs::path& given, const std::function<void(const fs::path
 void install_text(const fs::path& path, std::string_view text, const fs::path& previous) {
   const auto write = [&](const fs::path& temporary) {
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    if (!out) fail("create", temporary);
+    if (!out) fail("create", path);  // the one that was asked for
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
     out.close();
-    if (!out) fail("write", temporary);
+    if (!out) fail("write", path);
   };
   install_file(path, write, previous);
 }

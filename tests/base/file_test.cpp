@@ -100,6 +100,15 @@ TEST_F(AFile, ThatIsAnOpenDescriptorIsWrittenWhereItStands) {
   EXPECT_EQ(read_file(log), "first second third");
 }
 
+TEST_F(AFile, ThatCannotBeMadeIsNamedAsItWasAskedFor) {
+  try {
+    install_text(folder / "missing/result.csv", "1\n");
+    FAIL() << "made a file in a folder that is not there";
+  } catch (const EnvironmentError& error) {
+    EXPECT_THAT(error.what(), HasSubstr((folder / "missing/result.csv").string() + ": No such"));
+  }
+}
+
 TEST_F(AFile, ThatIsAFolderIsRefused) {
   fs::create_directory(folder / "f");
   EXPECT_THROW(install_text(folder / "f", "new"), EnvironmentError);
