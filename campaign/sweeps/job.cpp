@@ -96,6 +96,7 @@ std::vector<std::string> cautions(const std::vector<Scene>& scenes) {
         ++known->second;
     }
   std::vector<std::string> sentences;
+  sentences.reserve(counted.size());
   for (const auto& [text, count] : counted)
     sentences.push_back(count == scenes.size()
                             ? text

@@ -204,7 +204,8 @@ void leave_out_younger_fields(json& numerics) {
 
 /// A sphere has no axes; tilt and node are those of an ellipsoid, or of a spin.
 void leave_out_of_body(json& body, const BodyShape& shape, const Scene::Spin& spin) {
-  if (body.contains("remnant") && body["remnant"]["file"] == "") body.erase("remnant");
+  if (body.contains("remnant") && body["remnant"]["file"].get_ref<const std::string&>().empty())
+    body.erase("remnant");
   if (!shape.is_sphere()) return;
   body.erase("shape");
   if (spin.period_h == 0) body.erase("spin");

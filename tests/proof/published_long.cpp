@@ -12,7 +12,7 @@ namespace eerie::proof {
 namespace {
 
 ImpactEnd of(const nlohmann::json& scene, double end_s) {
-  const ImpactEnd end = followed(impact_scene(1000, scene), end_s);
+  ImpactEnd end = followed(impact_scene(1000, scene), end_s);
   EXPECT_FALSE(end.failed) << end.failure;
   return end;
 }

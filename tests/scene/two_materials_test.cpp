@@ -94,7 +94,7 @@ TEST(TwoMaterials, NameTheBoundThatTheyCross) {
 
 TEST(TwoMaterials, StandInASpinByTheirOwnFrictionAndDensity) {
   const json spin = {{"impactor", {{"spin", {{"period_h", 2.6}}}}}};
-  json strong = spin, weak = spin;
+  json weak = spin;
   weak.merge_patch(own({{"phi_d_deg", 20}}));
   EXPECT_EQ(refusal(spin), "");
   EXPECT_THAT(refusal(weak), HasSubstr("friction angle of 20 deg"));
