@@ -3,6 +3,7 @@
 
 #include "solver/base/packs.hpp"
 #include "solver/base/principal.hpp"
+#include "solver/scene/tide.hpp"
 #include "solver/sph/stress.hpp"
 #include "solver/step/solver.hpp"
 
@@ -134,6 +135,14 @@ bool Solver::is_at_wall(std::size_t i) const {
   });
 }
 
+/// What falls into the primary meets no surface there and piles up about its centre.
+bool Solver::is_inside_primary(std::size_t i) const {
+  if (!has_primary(scene_)) return false;
+  const Scene::Primary& primary = scene_.environment.primary;
+  return norm2(state_.x[i] - Tide(primary).place(state_.time)) <
+         primary.radius_m * primary.radius_m;
+}
+
 /// Rates of the energy and its parts, from the sums of particle i.
 void Solver::set_heating(std::size_t i, double ahead, const sph::NeighbourSums& s) {
   const sph::FluxRows T = momentum_flux(i, ahead);
@@ -157,7 +166,7 @@ std::size_t Solver::first_collapsed(std::size_t i, std::size_t count, const sph:
   for (std::size_t l = 0; l < count; ++l)
     if (!(determinants[l] > sph::smallest_correctable_determinant) &&
         sph::is_collapsed(sph::lane(s, l).C, rho[l] / reference_density(i + l)) &&
-        lists_.is_bulk(i + l) && !is_at_wall(i + l))
+        lists_.is_bulk(i + l) && !is_at_wall(i + l) && !is_inside_primary(i + l))
       return i + l;
   return nobody;
 }

@@ -118,6 +118,7 @@ class Solver {
   std::size_t set_rates(std::size_t i, std::size_t count, double ahead,
                         const sph::PackedSums& sums);
   bool is_at_wall(std::size_t i) const;
+  bool is_inside_primary(std::size_t i) const;
   void set_heating(std::size_t i, double ahead, const sph::NeighbourSums& sums);
   std::size_t first_collapsed(std::size_t i, std::size_t count, const sph::PackedSums& sums,
                               const Pack<double>& rho) const;
