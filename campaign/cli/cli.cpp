@@ -228,7 +228,7 @@ int exit_of_parser(const CLI::App& app, const CLI::ParseError& error, Output& ou
     out.write(said.str());
     return 0;
   }
-  const std::string unknown = manual::unknown_options(app, sweeps::field_paths());
+  const std::string unknown = manual::unknown_options(app, sweeps::shared_field_paths());
   complain("eerie: " + (unknown.empty() ? manual::wrong_use(app, error) : unknown));
   return static_cast<int>(ExitCode::bad_input);
 }

@@ -54,14 +54,14 @@ std::string sentence(const Impacts& impacts, std::optional<double> published) {
 
 std::vector<std::string> finding(const std::vector<db::ResultRow>& rows) {
   std::map<std::tuple<double, double, std::int64_t>, Impacts> groups;
+  std::set<std::int64_t> settings;
   for (const db::ResultRow& row : rows) {
     bool& elongated =
         groups[{row.q, row.phi_d_deg, row.settings}][{row.v_imp_cm_per_s, row.theta_imp_deg}];
     elongated = elongated || row.result.n_eer > 0;
+    settings.insert(row.settings);
   }
   std::vector<std::string> sentences;
-  std::set<std::int64_t> settings;
-  for (const db::ResultRow& row : rows) settings.insert(row.settings);
   for (const auto& [point, impacts] : groups) {
     const auto [q, phi_d, of] = point;
     std::string where = groups.size() > 1 ? fmt::format("q {:g}, phi_d {:g} deg", q, phi_d) : "";

@@ -47,7 +47,8 @@ void require_known_below(const json& schema, const json& part, const std::string
     }
     std::vector<std::string> known;
     for (const auto& [other, ignored] : schema["properties"].items()) known.push_back(other);
-    const std::vector<std::string> likely = text::likely_names(here, field_paths());
+    const std::vector<std::string> likely = text::likely_names(
+        here, here.starts_with("impactor.") ? field_paths() : shared_field_paths());
     throw InputError(fmt::format(
         "{}.{}: there is no such field; {}remove it or use one of {}", where, here,
         likely.empty() ? "" : fmt::format("did you mean {}? Otherwise ", fmt::join(likely, " or ")),

@@ -38,9 +38,8 @@ constexpr double typical_part_with_softening = 0.23;
 double expected_particle_steps(const Scene& scene) {
   // Waves are fastest in the less dense body, whose particles are the larger ones.
   const double c = bulk_sound_speed(scene), rho = lowest_density(scene);
-  const double denser =
-      std::max(scene.material.rho0_kg_per_m3, impactor_material(scene).rho0_kg_per_m3) / rho;
-  const double c_l = std::sqrt(denser * c * c + 4.0 / 3 * scene.material.shear_modulus_Pa / rho);
+  const double c_l = std::sqrt(highest_density(scene) / rho * c * c +
+                               4.0 / 3 * scene.material.shear_modulus_Pa / rho);
   const double dt = scene.numerics.cfl * smoothing_length(scene) / c_l;
   const auto particles =
       static_cast<double>(scene.numerics.particles_per_target + impactor_particles(scene));

@@ -66,6 +66,13 @@ std::vector<std::string> field_paths() {
   return paths;
 }
 
+std::vector<std::string> shared_field_paths() {
+  std::vector<std::string> paths = field_paths();
+  std::erase_if(paths,
+                [](const std::string& path) { return path.starts_with("impactor.material."); });
+  return paths;
+}
+
 SceneField scene_field(const std::string& name, const std::string& where) {
   const std::string path = full_path(name);
   const json* schema = schema_at(scene_schema(), path);

@@ -37,6 +37,8 @@ struct SceneField {
 
 /// The dotted paths of all fields of a scene.
 std::vector<std::string> field_paths();
+/// Without those that stand beside a field of both bodies: a word that names no body means both.
+std::vector<std::string> shared_field_paths();
 
 bool is_numeric(const SceneField& field);
 

@@ -38,3 +38,4 @@ $eerie odds $of -o $out/odds.svg -o $out/odds.csv > /dev/null
 $eerie query $runs --columns $columns -o $out/results.csv
 $eerie query $runs --of remnants -o $out/remnants.csv
 $eerie sizes $runs -o $out/sizes.svg > /dev/null
+python3 $out/beyond/figures.py

@@ -253,7 +253,7 @@ std::string canonical_hash(json canonical) {
 }
 
 double impactor_radius(const Scene& s) {
-  const double rho = impactor_material(s).rho0_kg_per_m3;
+  const double rho = impactor_density(s);
   if (rho == s.material.rho0_kg_per_m3) return s.target.radius_m * std::cbrt(s.impact.q);
   return s.target.radius_m * std::cbrt(s.impact.q * s.material.rho0_kg_per_m3 / rho);
 }
@@ -288,7 +288,7 @@ double bulk_sound_speed(const Scene& s) {
   const double K = m.eos == "tillotson" ? m.tillotson.A_Pa
                    : m.eos == "linear"  ? m.linear.bulk_modulus_Pa
                                         : 0;
-  return std::sqrt(K / std::max(m.rho0_kg_per_m3, impactor_material(s).rho0_kg_per_m3));
+  return std::sqrt(K / highest_density(s));
 }
 Vec3 spin(const Scene::Spin& s) {
   if (s.period_h == 0) return {};

@@ -15,38 +15,47 @@ namespace {
 /// Largest ratio of densities, which the proofs cover.
 constexpr double most_contrast = 27.0 / 8;
 
+bool has_two_strengths(const Scene& scene) {
+  const Scene::DruckerPrager& target = scene.material.drucker_prager;
+  const Scene::Impactor::Material& own = scene.impactor.material;
+  return own.phi_d_deg.value_or(target.phi_d_deg) != target.phi_d_deg ||
+         own.cohesion_Pa.value_or(target.cohesion_Pa) != target.cohesion_Pa;
+}
+
 }  // namespace
 
 Scene::Material impactor_material(const Scene& scene) {
   const Scene::Impactor::Material& own = scene.impactor.material;
   Scene::Material m = scene.material;
-  m.rho0_kg_per_m3 = own.rho0_kg_per_m3.value_or(m.rho0_kg_per_m3);
+  m.rho0_kg_per_m3 = impactor_density(scene);
   m.drucker_prager.phi_d_deg = own.phi_d_deg.value_or(m.drucker_prager.phi_d_deg);
   m.drucker_prager.cohesion_Pa = own.cohesion_Pa.value_or(m.drucker_prager.cohesion_Pa);
   return m;
 }
 
+double impactor_density(const Scene& scene) {
+  return scene.impactor.material.rho0_kg_per_m3.value_or(scene.material.rho0_kg_per_m3);
+}
+
 bool has_two_densities(const Scene& scene) {
-  const double target = scene.material.rho0_kg_per_m3;
-  return scene.impactor.material.rho0_kg_per_m3.value_or(target) != target;
+  return lowest_density(scene) != highest_density(scene);
 }
 
 bool has_two_materials(const Scene& scene) {
-  const Scene::Impactor::Material& own = scene.impactor.material;
-  const Scene::DruckerPrager& target = scene.material.drucker_prager;
-  return has_two_densities(scene) || own.phi_d_deg.value_or(target.phi_d_deg) != target.phi_d_deg ||
-         own.cohesion_Pa.value_or(target.cohesion_Pa) != target.cohesion_Pa;
+  return has_two_densities(scene) || has_two_strengths(scene);
 }
 
 double lowest_density(const Scene& scene) {
-  const double target = scene.material.rho0_kg_per_m3;
-  return std::min(target, scene.impactor.material.rho0_kg_per_m3.value_or(target));
+  return std::min(scene.material.rho0_kg_per_m3, impactor_density(scene));
+}
+
+double highest_density(const Scene& scene) {
+  return std::max(scene.material.rho0_kg_per_m3, impactor_density(scene));
 }
 
 std::array<double, 2> particle_sizes(const Scene& scene) {
   const double low = lowest_density(scene);
-  const auto size = [&](const Scene::Material& m) { return std::cbrt(low / m.rho0_kg_per_m3); };
-  return {size(scene.material), size(impactor_material(scene))};
+  return {std::cbrt(low / scene.material.rho0_kg_per_m3), std::cbrt(low / impactor_density(scene))};
 }
 
 void leave_out_shared_material(nlohmann::json& scene) {
@@ -69,17 +78,14 @@ void require_fitting_materials(const Scene& scene, const std::string& where) {
         "{}.impactor.material: a material of its own is for rubble; leave it out, or set "
         "material.eos to \"tillotson\" or \"linear\" and material.fracture to \"none\"",
         where));
-  const bool own_strength =
-      impactor_material(scene).drucker_prager.phi_d_deg != m.drucker_prager.phi_d_deg ||
-      impactor_material(scene).drucker_prager.cohesion_Pa != m.drucker_prager.cohesion_Pa;
-  if (own_strength && m.rheology != "drucker-prager")
+  if (has_two_strengths(scene) && m.rheology != "drucker-prager")
     throw InputError(fmt::format(
         "{}.impactor.material: friction and cohesion do nothing in material of rheology \"{}\"; "
         "leave phi_d_deg and cohesion_Pa out, or set material.rheology to \"drucker-prager\"",
         where, m.rheology));
   if (!has_two_densities(scene)) return;
-  const double rho = *scene.impactor.material.rho0_kg_per_m3, target = m.rho0_kg_per_m3;
-  if (std::max(rho, target) > most_contrast * std::min(rho, target))
+  const double rho = impactor_density(scene), target = m.rho0_kg_per_m3;
+  if (highest_density(scene) > most_contrast * lowest_density(scene))
     throw InputError(fmt::format(
         "{}.impactor.material.rho0_kg_per_m3 = {:g}: particles of both bodies have one mass, and "
         "their sizes may not differ more; give {:g} to {:g}, for material.rho0_kg_per_m3 = {:g}",

@@ -15,11 +15,13 @@ namespace eerie {
 /// scene.material with what the impactor has of its own.
 Scene::Material impactor_material(const Scene& scene);
 
+double impactor_density(const Scene& scene);  ///< without pressure, kg/m^3
 bool has_two_materials(const Scene& scene);
 bool has_two_densities(const Scene& scene);
 
-/// The lower one of the reference densities of both bodies, kg/m^3.
+/// The lower and the higher one of the reference densities of both bodies, kg/m^3.
 double lowest_density(const Scene& scene);
+double highest_density(const Scene& scene);
 
 /// Sizes of the particles of target and impactor, in units of the larger ones.
 std::array<double, 2> particle_sizes(const Scene& scene);

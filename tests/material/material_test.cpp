@@ -114,7 +114,8 @@ TEST(Lundborg, RubbleHasFrictionUpToTheStrengthOfRock) {
 
 TEST(Material, LongitudinalWaveIsFasterThanSoundByShear) {
   const Material sheared = make_material(small_scene().material);
-  const Material fluid = make_material(small_scene({{"material", {{"rheology", "fluid"}}}}).material);
+  const Material fluid =
+      make_material(small_scene({{"material", {{"rheology", "fluid"}}}}).material);
   EXPECT_DOUBLE_EQ(sheared.longitudinal_speed(), std::sqrt((26700 + 4 * 22700 / 3.0) / 2700));
   EXPECT_DOUBLE_EQ(fluid.longitudinal_speed(), std::sqrt(26700 / 2700.0));
 }

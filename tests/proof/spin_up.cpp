@@ -8,6 +8,7 @@
 #include "solver/base/constants.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
+#include "tests/proof/ellipsoid.hpp"
 
 namespace eerie::proof {
 
@@ -18,15 +19,10 @@ double rate_of(const Scene& scene, double W) {
 }
 
 /// What still lies within twice the radius: grains that have left say nothing about the body.
-struct Body {
-  std::vector<Vec3> x, v;
-  double shed;
-};
-Body body_of(const particles::State& s, double radius) {
-  Body body;
+particles::State still_there(const particles::State& s, double radius) {
+  particles::State body;
   for (std::size_t i = 0; i < s.size(); ++i)
     if (norm(s.x[i]) < 2 * radius) body.x.push_back(s.x[i]), body.v.push_back(s.v[i]);
-  body.shed = 1 - static_cast<double>(body.x.size()) / static_cast<double>(s.size());
   return body;
 }
 
@@ -62,18 +58,15 @@ SpinUpOfSphere spin_up_of_sphere(const Scene& scene, double W_begin, double rise
   const std::vector<Vec3> before = by_id(solver.state());
   const Vec3 torque = {0, 0, rate_of(scene, 1) / rise_s};
   SpinUpOfSphere found{};
-  shapes::Shape shape = shapes::ellipsoid_of_inertia(before);
-  while (shape.c_over_a() > flat && solver.state().time < rise_s) {
+  found.c_over_a = shapes::ellipsoid_of_inertia(before).c_over_a();
+  while (found.c_over_a > flat && solver.state().time < rise_s) {
     const double time = solver.state().time;
     solver.cycle(rise_s);
     solver.spin_up((solver.state().time - time) * torque);
-    const Body body = body_of(solver.state(), R);
-    shape = shapes::ellipsoid_of_inertia(body.x);
-    const auto omega = shapes::angular_velocity(body.x, body.v);
-    const double slowed = omega ? norm(*omega) / rate_of(scene, 1) : 0;
-    found.W_greatest = std::max(found.W_greatest, slowed * slowed);
+    const Figure3 now = figure_of(scene, still_there(solver.state(), R));
+    found.c_over_a = now.c_over_a;
+    found.W_greatest = std::max(found.W_greatest, now.W);
   }
-  found.c_over_a = shape.c_over_a();
   const std::vector<Vec3> after = by_id(solver.state());
   // An even strain moves what lies at r by r: medians of r^3 in both shells.
   const double even = std::cbrt(0.6 * 0.6 * 0.6 / 2) / std::cbrt((1 + 0.9 * 0.9 * 0.9) / 2);
@@ -81,9 +74,9 @@ SpinUpOfSphere spin_up_of_sphere(const Scene& scene, double W_begin, double rise
       displacement(before, after, 0, 0.6 * R) / displacement(before, after, 0.9 * R, 2 * R) / even;
   const double end = solver.state().time + alone_s;
   while (solver.state().time < end) solver.cycle(end);
-  const Body body = body_of(solver.state(), R);
-  found.c_over_a_alone = shapes::ellipsoid_of_inertia(body.x).c_over_a();
-  found.shed = body.shed;
+  const particles::State body = still_there(solver.state(), R);
+  found.c_over_a_alone = figure_of(scene, body).c_over_a;
+  found.shed = 1 - static_cast<double>(body.size()) / static_cast<double>(solver.state().size());
   return found;
 }
 

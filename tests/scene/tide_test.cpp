@@ -15,6 +15,7 @@ namespace eerie {
 namespace {
 
 using nlohmann::json;
+using test::refusal;
 using testing::HasSubstr;
 
 /// About Dinkinesh.
@@ -26,15 +27,6 @@ json primary(const json& changes = json::object()) {
 
 Scene::Primary fields(double azimuth_deg = 0, bool retrograde = false) {
   return {4.95e11, 360, 1500, azimuth_deg, retrograde};
-}
-
-std::string refusal(const json& changes) {
-  try {
-    test::small_scene(changes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Tide, IsNothingWithoutAPrimary) {

@@ -13,6 +13,7 @@ namespace eerie {
 namespace {
 
 using nlohmann::json;
+using test::refusal;
 using test::small_scene;
 using testing::HasSubstr;
 
@@ -20,15 +21,6 @@ json own(const json& material, const json& more = json::object()) {
   json scene = {{"impactor", {{"material", material}}}};
   scene.merge_patch(more);
   return scene;
-}
-
-std::string refusal(const json& changes) {
-  try {
-    small_scene(changes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(TwoMaterials, AreOneWhereTheImpactorHasNothingOfItsOwn) {

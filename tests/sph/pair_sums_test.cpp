@@ -66,8 +66,7 @@ std::vector<NeighbourSums> all_pairs(const Particles& p, const Viscosity& visc,
       if (i == j || q >= 2) continue;
       const double slope =
           extra.unlike_h ? (slope_of(r, p.h_of[i]) + slope_of(r, p.h_of[j])) / 2 : slope_of(r, h);
-      const double h_ij =
-          extra.unlike_h ? 2 * p.h_of[i] * p.h_of[j] / (p.h_of[i] + p.h_of[j]) : h;
+      const double h_ij = extra.unlike_h ? 2 * p.h_of[i] * p.h_of[j] / (p.h_of[i] + p.h_of[j]) : h;
       const Vec3 gradient = slope * dx;
       NeighbourSums& s = sums[i];
       s.C += -p.V[j] * SymTensor{gradient.x * dx.x, gradient.y * dx.y, gradient.z * dx.z,

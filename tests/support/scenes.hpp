@@ -1,7 +1,9 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
+#include "solver/base/error.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie::test {
@@ -11,6 +13,16 @@ inline Scene small_scene(const nlohmann::json& changes = nlohmann::json::object(
   nlohmann::json scene = {{"numerics", {{"particles_per_target", 300}}}};
   scene.merge_patch(changes);
   return parse_scene(scene);
+}
+
+/// What such a scene is refused with, or "".
+inline std::string refusal(const nlohmann::json& changes) {
+  try {
+    small_scene(changes);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 /// Basalt with its real moduli; the default scene has them reduced by a million.

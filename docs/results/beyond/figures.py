@@ -21,7 +21,7 @@ def rows(name):
 
 def draw(name, x, y, curves, extra="", style="linespoints pt 7 ps 0.6 lw 2", colours=range(7)):
     """curves: {title: [(x, y), ...]} or {title: (points, style)}; written to figures/NAME.svg."""
-    script = [f"set terminal svg size 640,420 font 'DejaVu Sans,13' enhanced",
+    script = ["set terminal svg size 640,420 font 'DejaVu Sans,13' enhanced",
               f"set output '{OUT / name}.svg'", f"set xlabel '{x}'", f"set ylabel '{y}'",
               "set key outside right top", "set grid lc rgb '#dddddd'", extra]
     plots, data = [], []
@@ -37,7 +37,13 @@ def series(table, x, keep, y=lambda r: r["b_over_a"]):
     return [(x(r), y(r)) for r in table if keep(r) and r["b_over_a"] != ""]
 
 
-EER = "set yrange [0:1]\nset arrow from graph 0, first 0.3 to graph 1, first 0.3 nohead dt 2 lc rgb '#888888'"
+def level(y):
+    """The range of a ratio, with a line at y."""
+    return ("set yrange [0:1]\n"
+            f"set arrow from graph 0, first {y} to graph 1, first {y} nohead dt 2 lc rgb '#888888'")
+
+
+EER = level(0.3)
 
 
 def spin():
@@ -76,11 +82,8 @@ def size():
 def disruption():
     table = rows("disruption")
     draw("disruption", "speed, head-on (cm/s)", "mass left",
-         {f"{phi:g}°": series(table, lambda r: r["v_imp_cm_per_s"], lambda r: r["phi_d_deg"] == phi,
-                              lambda r: r["m_lr_over_m_total"]) +
-          [(r["v_imp_cm_per_s"], r["m_lr_over_m_total"]) for r in table
-           if r["phi_d_deg"] == phi and r["b_over_a"] == ""] for phi in (10, 20, 30, 40, 50)},
-         "set yrange [0:1]\nset arrow from graph 0, first 0.5 to graph 1, first 0.5 nohead dt 2 lc rgb '#888888'")
+         {f"{phi:g}°": [(r["v_imp_cm_per_s"], r["m_lr_over_m_total"]) for r in table if r["phi_d_deg"] == phi]
+          for phi in (10, 20, 30, 40, 50)}, level(0.5))
 
 
 def moonlets():

@@ -39,21 +39,18 @@ TEST_F(ImpactRunsOf, AResultHaveItsPointItsSettingsAndItsRemnants) {
 }
 
 TEST_F(ImpactRunsOf, OtherBodiesAreLeftOutAndCounted) {
-  json big = survey_scene(1, 40, 20, 15, 1);
-  big["target"]["radius_m"] = 100;
-  add_impact(connection, big, 0.2);
-  json cohesive = survey_scene(1, 40, 20, 15, 1);
-  cohesive["material"]["drucker_prager"]["cohesion_Pa"] = 5;
-  add_impact(connection, cohesive, 0.2);
-  json half_stiff = survey_scene(1, 40, 20, 15, 1);
-  half_stiff["material"]["tillotson"]["A_Pa"] = 2.67e5;
-  add_impact(connection, half_stiff, 0.2);
-  json spinning = survey_scene(1, 40, 20, 15, 1);
-  spinning["impactor"]["spin"]["period_h"] = 6;
-  add_impact(connection, spinning, 0.2);
-  json unlike = survey_scene(1, 40, 20, 15, 1);
-  unlike["impactor"]["material"]["phi_d_deg"] = 20;
-  add_impact(connection, unlike, 0.2);
+  const std::pair<const char*, double> others[] = {
+      {"/target/radius_m", 100},
+      {"/material/drucker_prager/cohesion_Pa", 5},
+      {"/material/tillotson/A_Pa", 2.67e5},
+      {"/impactor/spin/period_h", 6},
+      {"/impactor/material/phi_d_deg", 20},
+  };
+  for (const auto& [field, value] : others) {
+    json scene = survey_scene(1, 40, 20, 15, 1);
+    scene[json::json_pointer(field)] = value;
+    add_impact(connection, scene, 0.2);
+  }
   const ImpactRuns found = all();
   EXPECT_TRUE(found.runs.empty());
   EXPECT_EQ(found.other_bodies, 5u);
