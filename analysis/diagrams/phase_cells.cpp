@@ -105,9 +105,9 @@ std::vector<CellLine> lines_of(const drawing::Area& area, const PhaseCell& cell,
              {cell.class_share < 1 ? fmt::format("{:.0f}%", 100 * cell.class_share) : "",
               words.letter_size - 0.5}};
   else
-    lines = {{!words.numbers ? ""
-              : value        ? number_words(quantity, *value, words.short_numbers)
-                             : "–",
+    lines = {{!words.numbers || (words.fractions_only && (value == 0.0 || value == 1.0)) ? ""
+              : value ? number_words(quantity, *value, words.short_numbers)
+                      : "–",
               words.number_size},
              letter};
   std::erase_if(lines, [&](const CellLine& line) {

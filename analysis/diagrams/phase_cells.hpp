@@ -15,6 +15,7 @@ inline constexpr drawing::Colour grey{0x9a, 0x9a, 0x9a};
 inline constexpr drawing::Colour pale{0xf2, 0xf2, 0xf2};
 inline constexpr drawing::Colour failure{0xb0, 0x1e, 0x3c};
 inline constexpr drawing::Colour eer{0x14, 0x4f, 0xa8};
+inline constexpr drawing::Colour border{0xc6, 0x4a, 0x1e};
 
 void missing(drawing::Canvas& canvas, const drawing::Area& area);
 void pending(drawing::Canvas& canvas, const drawing::Area& area);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/statistics/isolines.hpp"
+
 namespace eerie::diagrams {
 
 /// `done` is a settled result, `unsettled` a result whose remnants will meet again. `failed` and
@@ -34,6 +36,13 @@ struct PhaseCell {
   bool has_result() const { return state == CellState::done || state == CellState::unsettled; }
 };
 
+/// The border of the region where more than half of the runs make an EER, and its interval, in
+/// (cm/s, deg).
+struct EerBorders {
+  std::vector<statistics::Isoline> half;  ///< P(EER) = 1/2
+  std::vector<statistics::Isoline> ends;  ///< the border at either end of its interval
+};
+
 /// The impacts of one mass ratio and friction angle, over speed and angle.
 struct PhaseDiagram {
   double q = 1;
@@ -42,6 +51,7 @@ struct PhaseDiagram {
   /// Mutual escape speed at contact, for the upper axis; 0: no such axis.
   double v_esc_cm_per_s = 0;
   std::optional<double> threshold_cm_per_s;  ///< the curve v sin(theta) = threshold is drawn
+  std::optional<EerBorders> borders = {};    ///< drawn in panels of P(EER)
   std::vector<PhaseCell> cells;              ///< in any order; at most one per (v, theta)
   std::string fidelity = {};                 ///< empty where the settings have no name
   std::int64_t settings = 0;                 ///< their number in the database; 0: not known

@@ -76,8 +76,12 @@ bool axes_differ(const PhaseFigure& figure) {
       figure.diagrams, [&](const PhaseDiagram& d) { return size(frame_of(d)) < 0.65 * common; });
 }
 
-/// Letters stand once in a figure: in the panel of classes, else in the first.
+/// Letters stand once in a figure: in the panel of classes, else in the first. They would hide
+/// borders.
 bool has_letters(const PhaseFigure& figure, MapQuantity quantity) {
+  if (quantity == MapQuantity::p_largest_eer &&
+      std::ranges::any_of(figure.diagrams, [](const auto& d) { return d.borders.has_value(); }))
+    return false;
   const bool classes = std::ranges::count(figure.quantities, MapQuantity::outcome) > 0;
   return quantity == (classes ? MapQuantity::outcome : figure.quantities.front());
 }

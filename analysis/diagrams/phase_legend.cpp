@@ -50,6 +50,7 @@ bool lacks_a_value(const PhaseFigure& figure) {
 PhaseLegend::PhaseLegend(const PhaseFigure& figure, double width_pt, bool letters,
                          const std::vector<drawing::Quoted>& left_out) {
   add_curve(figure);
+  add_borders(figure);
   const bool blue = any(figure, [](const PhaseCell& c) {
     return c.has_result() && c.b_over_a && *c.b_over_a < remnants::eer_max_b_over_a;
   });
@@ -88,6 +89,15 @@ void PhaseLegend::add_curve(const PhaseFigure& figure) {
   add(Mark::curve, {},
       same ? fmt::format("v sin θ = {:.3g} cm/s", constants.front())
            : "v sin θ as in the panel's title");
+}
+
+void PhaseLegend::add_borders(const PhaseFigure& figure) {
+  if (!shows(figure, MapQuantity::p_largest_eer) ||
+      std::ranges::none_of(figure.diagrams,
+                           [](const PhaseDiagram& d) { return d.borders.has_value(); }))
+    return;
+  add(Mark::border, {}, "fitted: P = 1/2");
+  add(Mark::border_ends, {}, "its 68 % interval");
 }
 
 void PhaseLegend::add_classes(const PhaseFigure& figure, bool letters) {
@@ -138,6 +148,11 @@ void PhaseLegend::draw_mark(drawing::Canvas& canvas, const Entry& entry, const d
       return;
     case Mark::curve:
       canvas.line({box.low.x, box.centre().y}, {box.high.x, box.centre().y}, map_mark::ink, 1.2);
+      return;
+    case Mark::border:
+    case Mark::border_ends:
+      canvas.line({box.low.x, box.centre().y}, {box.high.x, box.centre().y}, map_mark::border,
+                  entry.mark == Mark::border ? 1.4 : 0.5);
       return;
     case Mark::blue:
       canvas.fill(box, drawing::b_over_a_colour(0.15));

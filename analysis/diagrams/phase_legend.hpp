@@ -22,6 +22,8 @@ class PhaseLegend {
   enum class Mark {
     letter,
     curve,
+    border,
+    border_ends,
     blue,
     corner,
     missing,
@@ -42,6 +44,7 @@ class PhaseLegend {
   void add(Mark mark, std::string_view letter, std::string_view words,
            std::optional<drawing::Colour> fill = {});
   void add_curve(const PhaseFigure& figure);
+  void add_borders(const PhaseFigure& figure);
   void add_classes(const PhaseFigure& figure, bool letters);
   void add_states(const PhaseFigure& figure, bool letters);
   static double symbol_of(const Entry& entry);

@@ -141,13 +141,37 @@ Script threshold_curve(const PhasePanel& panel) {
   return block + "EOD\n";
 }
 
+bool has_borders(const PhasePanel& panel) {
+  return panel.diagram->borders && panel.scale.quantity == MapQuantity::p_largest_eer;
+}
+
+Script block_of(const drawing::Literal& name, const std::vector<statistics::Isoline>& lines) {
+  Script block = script("{} << EOD\n", name);
+  for (const statistics::Isoline& line : lines) {
+    for (const auto& [v, theta] : line) block += script("{} {}\n", v, theta);
+    block += "\n";
+  }
+  return block + "EOD\n";
+}
+
+Script border_curves(const PhasePanel& panel) {
+  if (!has_borders(panel)) return {};
+  return block_of("$half", panel.diagram->borders->half) +
+         block_of("$ends", panel.diagram->borders->ends);
+}
+
 Script plot(const PhasePanel& panel) {
   Script text("plot $none using 1:2:3 with points pt 7 lc palette");
-  if (panel.diagram->threshold_cm_per_s)
-    text += script(
-        ", $curve with lines lw 2.4 lc rgb '#ffffff', "
-        "$curve with lines lw 1.2 lc rgb '{}'",
-        map_mark::ink);
+  const auto add = [&](const drawing::Literal& block, double casing, double width,
+                       const drawing::Colour& colour) {
+    text += script(", {} with lines lw {} lc rgb '#ffffff', {} with lines lw {} lc rgb '{}'", block,
+                   casing, block, width, colour);
+  };
+  if (panel.diagram->threshold_cm_per_s) add("$curve", 2.4, 1.2, map_mark::ink);
+  if (has_borders(panel)) {
+    add("$ends", 1.4, 0.6, map_mark::border);
+    add("$half", 2.2, 1.4, map_mark::border);
+  }
   return text + "\n";
 }
 
@@ -155,6 +179,7 @@ CellWords words_of(const PhasePanel& panel) {
   CellWords words =
       cell_words(CellGrid(*panel.diagram), panel.frame, panel.scale.quantity, panel.letters);
   words.curve = panel.diagram->threshold_cm_per_s;
+  words.fractions_only = has_borders(panel);
   return words;
 }
 
@@ -246,7 +271,7 @@ FigureScript phase_script(const PhaseFigure& whole) {
     const TickValues ticks = page.own_axes ? tick_values({*panel.diagram}, panel.frame)
                                            : tick_values(figure.diagrams, panel.frame);
     text += axes(panel, ticks, page) + bar + canvas.commands() + threshold_curve(panel) +
-            plot(panel) + "unset object\nunset label\nunset arrow\n";
+            border_curves(panel) + plot(panel) + "unset object\nunset label\nunset arrow\n";
   }
   return {page.width, page.height, text + "unset multiplot\n"};
 }

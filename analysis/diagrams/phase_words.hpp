@@ -17,6 +17,7 @@ struct PanelFrame;
 struct CellWords {
   bool letters = true;                        ///< cells show their class
   bool numbers = true;                        ///< cells show their number
+  bool fractions_only = false;                ///< ... but 0 and 1, which the colour tells
   bool short_numbers = false;                 ///< ".24" and "1.0" instead of "0.24" and "1.00"
   double number_size = 6, letter_size = 5.5;  ///< points
   /// Words keep away from the curve v sin(theta) = this, cm/s.

@@ -13,7 +13,7 @@
 #include "campaign/sweeps/scene_field.hpp"
 #include "db/store/migrations.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/pack.hpp"
 
 namespace eerie::cli {
 namespace {

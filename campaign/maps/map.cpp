@@ -10,6 +10,7 @@
 
 #include "analysis/paper/threshold.hpp"
 #include "analysis/statistics/ensemble.hpp"
+#include "campaign/maps/eer_fit.hpp"
 #include "campaign/maps/map_csv.hpp"
 #include "campaign/results/settings_choice.hpp"
 #include "campaign/sweeps/job.hpp"
@@ -88,11 +89,9 @@ std::string map_label(const diagrams::PhaseDiagram& diagram,
 
 std::vector<diagrams::PhaseDiagram> phase_diagrams(const std::vector<db::MapPoint>& points) {
   std::vector<diagrams::PhaseDiagram> diagrams;
+  const db::MapPoint* before = nullptr;
   for (const db::MapPoint& p : points) {
-    const bool same = !diagrams.empty() && diagrams.back().q == p.q &&
-                      diagrams.back().phi_d_deg == p.phi_d_deg &&
-                      diagrams.back().settings == p.settings;
-    if (!same) {
+    if (before == nullptr || !same_map(p, *before)) {
       diagrams::PhaseDiagram diagram;
       diagram.q = p.q, diagram.phi_d_deg = p.phi_d_deg;
       diagram.particles_per_target = p.particles_per_target;
@@ -102,6 +101,7 @@ std::vector<diagrams::PhaseDiagram> phase_diagrams(const std::vector<db::MapPoin
       diagrams.push_back(std::move(diagram));
     }
     diagrams.back().cells.push_back(cell(p));
+    before = &p;
   }
   return diagrams;
 }
@@ -165,8 +165,14 @@ void require_one_figure(const std::vector<db::NewJob>& jobs, const std::string& 
 
 std::vector<fs::path> draw_named_maps(const db::Connection& connection, const NamedMaps& request) {
   const std::vector<db::MapPoint> points = db::map_points(connection, request.filter);
-  const diagrams::PhaseFigure figure{phase_diagrams(points), request.quantities};
+  diagrams::PhaseFigure figure{phase_diagrams(points), request.quantities};
   if (points.empty()) throw InputError(no_job(connection));
+  std::vector<std::optional<paper::EerRegion>> regions;
+  if (std::ranges::count(request.quantities, diagrams::MapQuantity::p_largest_eer) > 0) {
+    regions = eer_regions(points);
+    for (std::size_t k = 0; k < regions.size(); ++k)
+      if (regions[k]) figure.diagrams[k].borders = borders_of(*regions[k], figure.diagrams[k]);
+  }
   std::vector<fs::path> written;
   for (const fs::path& file : request.files) {
     if (file.extension() == ".csv") continue;
@@ -177,7 +183,7 @@ std::vector<fs::path> draw_named_maps(const db::Connection& connection, const Na
   for (const fs::path& file : request.files) {
     const fs::path table = fs::path(file).replace_extension(".csv");
     if (std::ranges::count(written, table) > 0) continue;
-    install_text(table, map_csv(points));
+    install_text(table, map_csv(points, regions));
     written.push_back(table);
   }
   return written;

@@ -7,12 +7,15 @@
 
 #include "analysis/remnants/outcome.hpp"
 #include "analysis/statistics/ensemble.hpp"
+#include "campaign/maps/eer_fit.hpp"
 #include "campaign/text/csv.hpp"
 #include "solver/base/constants.hpp"
 
 namespace eerie::maps {
 
 namespace {
+
+constexpr const char* fitted_columns = ",p_eer_fit,p_eer_fit_low,p_eer_fit_high";
 
 /// "perfect_merging_share".
 std::string share_column(const remnants::OutcomeName& row) {
@@ -29,7 +32,7 @@ std::string header() {
       "c_over_a_std,m_lr_over_m_total,m_lr_over_m_total_std,period_h,period_std_h,n_eer,n_eer_std,"
       "p_eer,class,class_share";
   for (const remnants::OutcomeName& row : remnants::outcome_names) text += "," + share_column(row);
-  return text + "\n";
+  return text;
 }
 
 std::string line(const db::MapPoint& p) {
@@ -54,14 +57,27 @@ std::string line(const db::MapPoint& p) {
                       outcome, text::csv_number(share(outcome)));
   for (const remnants::OutcomeName& row : remnants::outcome_names)
     text += "," + text::csv_number(share(std::string(row.name)));
-  return text + "\n";
+  return text;
+}
+
+std::string fitted(const std::optional<paper::EerRegion>& region, const db::MapPoint& point) {
+  if (!region) return ",,,";
+  const paper::EerRegion::Probability fit = region->at(point.v_imp_cm_per_s, point.theta_imp_deg);
+  return fmt::format(",{:.4f},{:.4f},{:.4f}", fit.p, fit.low, fit.high);
 }
 
 }  // namespace
 
-std::string map_csv(const std::vector<db::MapPoint>& points) {
-  std::string text = header();
-  for (const db::MapPoint& p : points) text += line(p);
+std::string map_csv(const std::vector<db::MapPoint>& points,
+                    const std::vector<std::optional<paper::EerRegion>>& regions) {
+  std::string text = header() + (regions.empty() ? "" : fitted_columns) + "\n";
+  std::size_t map = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (k > 0 && !same_map(points[k], points[k - 1])) ++map;
+    text += line(points[k]);
+    if (!regions.empty()) text += fitted(regions[map], points[k]);
+    text += "\n";
+  }
   return text;
 }
 

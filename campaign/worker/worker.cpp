@@ -25,7 +25,7 @@
 #include "campaign/worker/watch.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/pack.hpp"
 #include "solver/scene/guards.hpp"
 
 namespace eerie::worker {

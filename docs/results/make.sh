@@ -23,7 +23,11 @@ draw() { # NAME Q PHI_D: the maps of one series into a folder, and the ridge whe
   rm -f $to/panels.csv # the same numbers as in b-over-a.csv
   if $eerie threshold $map > $to/threshold.txt; then
     # Where no ridge is fitted there is nothing to draw.
-    $eerie threshold $map -o $to/threshold.svg > /dev/null 2>&1 || rm -f $to/threshold.svg
+    if $eerie threshold $map -o $to/threshold.svg > /dev/null 2>&1; then
+      $eerie map $map --quantity p-eer -o $to/p-eer.svg
+    else
+      rm -f $to/threshold.svg
+    fi
   fi
 }
 draw fig2 1 40

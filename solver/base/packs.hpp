@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/pack.hpp"
 #include "solver/base/tensor.hpp"
 
 namespace eerie {

@@ -10,7 +10,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/mean.hpp"
 #include "solver/base/sha256.hpp"
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/pack.hpp"
 #include "solver/base/version.hpp"
 #include "solver/initial/orbit.hpp"
 #include "solver/initial/packing.hpp"

@@ -2,9 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/rows.hpp"
 #include "solver/base/tensor.hpp"
 #include "solver/tree/neighbour_list.hpp"
 
@@ -156,9 +157,9 @@ class PairRows {
         from = j / tree::bucket_size;
         shift = Shift((origins_[from].x - home.x) * per_h0_, origins_[from].v - home.v);
       }
-      local.motion[k] = shift(rows_.motion[j]);
+      add(rows_.motion[j], shift.motion, local.motion[k]);
       if constexpr (part == Part::gradient) continue;
-      local.stress[k] = shift(rows_.stress[j]);
+      add(rows_.stress[j], shift.stress, local.stress[k]);
       if constexpr (sheared) local.shear[k] = rows_.shear[j];
       if constexpr (extended) local.extra[k] = rows_.extra[j];
     }
@@ -178,23 +179,26 @@ class PairRows {
     Vec3 x, v;
   };
 
-  /// The difference between the origins of two buckets.
+  /// The difference between the origins of two buckets, as rows to add. Zeros leave the rest alone.
   struct Shift {
-    Quad<Real> x{}, v{}, flux[3] = {};
+    MotionRow<Real> motion{};
+    StressRow<Real> stress{{{}, {}, {}, {}}};
     Shift() = default;
     Shift(const Vec3& dx, const Vec3& dv)
-        : x{real(dx.x), real(dx.y), real(dx.z), 0}, v{real(dv.x), real(dv.y), real(dv.z), 0} {
-      for (int a = 0; a < 3; ++a) flux[a][3] = x[a];
-    }
-    MotionRow<Real> operator()(MotionRow<Real> row) const {
-      return {row.x + x[0],  row.y + x[1],  row.z + x[2],  row.V,
-              row.vx + v[0], row.vy + v[1], row.vz + v[2], row.c};
-    }
-    StressRow<Real> operator()(StressRow<Real> row) const {
-      for (int a = 0; a < 3; ++a) row.q[a] += flux[a];
-      return row;
+        : motion{real(dx.x), real(dx.y), real(dx.z), 0, real(dv.x), real(dv.y), real(dv.z), 0} {
+      for (int a = 0; a < 3; ++a) stress.q[a][3] = real(dx[a]);
     }
   };
+  /// sum = row + shift, number by number, in as few instructions as the machine has.
+  template <class Row>
+  static void add(const Row& row, const Row& shift, Row& sum) {
+    typedef Real Numbers __attribute__((vector_size(sizeof(Row))));
+    Numbers a, b;
+    std::memcpy(&a, &row, sizeof a);
+    std::memcpy(&b, &shift, sizeof b);
+    a += b;
+    std::memcpy(static_cast<void*>(&sum), &a, sizeof a);
+  }
 
   /// Replaces row k by the mirror image of particle j.
   void mirror(std::uint32_t j, const tree::MirrorImage& image, const Origin& home,

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/rows.hpp"
 #include "solver/sph/kernel.hpp"
 #include "solver/sph/pair_rows.hpp"
 

@@ -24,12 +24,6 @@ struct Around {
   tree::Places at;
   /// The inverse of the reference density of each, m^3/kg; empty where all have one.
   std::vector<float> per_density;
-
-  void clear() { at.clear(), per_density.clear(); }
-  void pad() {
-    at.pad();
-    if (!per_density.empty()) per_density.resize(at.x.size());
-  }
 };
 
 /// How particle k of a bucket is surrounded.
@@ -41,6 +35,13 @@ struct Surroundings {
   double per_volume;  ///< m/h^3 and the kernel's normalisation, kg/m^3
   float finer;        ///< units of place over its own h
 
+  /// Calls visit(first) for each pack of which something may lie within the kernel's reach, 2 h.
+  template <class Visit>
+  void visit_packs(Visit&& visit) const {
+    const tree::Places& at = around.at;
+    constexpr float reach2 = 4.0001f;  // a little more than 4, for what rounding does to 1/r
+    at.visit_packs_near(at.x[k], at.y[k], at.z[k], reach2 / (finer * finer), visit);
+  }
   tree::Places::Offsets offsets(std::size_t first) const {
     const tree::Places& at = around.at;
     auto [x, y, z] = at.offsets(first, at.x[k], at.y[k], at.z[k]);
@@ -56,20 +57,26 @@ struct Surroundings {
     return w * per_density * static_cast<float>(rho0);
   }
 
+  /// Sums over the lanes come later: most particles lie deep inside, where density is enough.
   struct Moments {
-    double density;  ///< sum_j m W_ij, kg/m^3
-    Vec3 outward;    ///< sum_j m W_ij x_ij/h, kg/m^3
+    double per_volume;
+    Pack<float> sum{}, mx{}, my{}, mz{};
+
+    /// sum_j m W_ij, kg/m^3
+    double density() const { return per_volume * total(sum); }
+    /// sum_j m W_ij x_ij/h, kg/m^3
+    Vec3 outward() const { return per_volume * Vec3{total(mx), total(my), total(mz)}; }
   };
   Moments moments() const {
-    Pack<float> sum{}, mx{}, my{}, mz{};
-    for (std::size_t first = 0; first < around.at.x.size(); first += lanes<float>) {
+    Moments m{per_volume};
+    visit_packs([&](std::size_t first) {
       const auto [dx, dy, dz] = offsets(first);
       const Pack<float> r2 = dx * dx + dy * dy + dz * dz + 1e-12f;  // 1/r is finite
       const Pack<float> w = weight(first, r2 * inverse_sqrt(r2));
-      sum += w;
-      mx -= w * dx, my -= w * dy, mz -= w * dz;
-    }
-    return {per_volume * total(sum), per_volume * Vec3{total(mx), total(my), total(mz)}};
+      m.sum += w;
+      m.mx -= w * dx, m.my -= w * dy, m.mz -= w * dz;
+    });
+    return m;
   }
   /// Whether something in reach of the kernel lies towards `normal`, a unit vector.
   bool faces_something(const Vec3& normal) const {
@@ -77,11 +84,11 @@ struct Surroundings {
                nz = static_cast<float>(normal.z);
     const float cos2 = static_cast<float>(cos_of_sight * cos_of_sight);
     Pack<float> seen{};  // summed over all: leaving at the first one would take lanes apart
-    for (std::size_t first = 0; first < around.at.x.size(); first += lanes<float>) {
+    visit_packs([&](std::size_t first) {
       const auto [dx, dy, dz] = offsets(first);
       const Pack<float> r2 = dx * dx + dy * dy + dz * dz, ahead = nx * dx + ny * dy + nz * dz;
       seen += (ahead > 0) & (r2 < 4) & (ahead * ahead > cos2 * r2) ? splat(1.f) : splat(0.f);
-    }
+    });
     return total(seen) > 0;
   }
   static double total(const Pack<float>& pack) {
@@ -109,10 +116,11 @@ void Solver::find_voids() {
       [&](auto kernel) {
         using Kernel = decltype(kernel);
         const auto has_room = [&](const Surroundings<Kernel>& seen) {
-          const auto [density, outward] = seen.moments();
-          const double rho0 = seen.rho0;
+          const auto moments = seen.moments();
+          const double rho0 = seen.rho0, density = moments.density();
           if (density >= part * rho0) return false;
           if (!gaps_only) return true;
+          const Vec3 outward = moments.outward();
           const double m = norm(outward);
           const bool fits =
               density >= convexity * part * rho0 * sph::flat_density<Kernel>(m / rho0);
@@ -124,13 +132,16 @@ void Solver::find_voids() {
 #pragma omp for schedule(dynamic, 8)
           for (std::size_t b = 0; b < lists_.buckets(); ++b) {
             const std::size_t begin = b * tree::bucket_size;
-            around.clear();
-            lists_.visit_around(b, state_.x, [&](const Vec3& there, std::size_t j) {
-              around.at.push((there - state_.x[begin]) / state_.h);
-              if (materials_.has_two_densities())
-                around.per_density.push_back(static_cast<float>(1 / reference_density(j)));
+            const tree::BucketList& list = lists_[b];
+            around.at.fill(list.rows.size(), [&](std::size_t place) {
+              const Vec3& x = state_.x[list.rows[place]];
+              return (list.as_seen(place, x, lists_.images()) - state_.x[begin]) / state_.h;
             });
-            around.pad();
+            around.per_density.clear();
+            if (materials_.has_two_densities())
+              for (const std::uint32_t j : list.rows)
+                around.per_density.push_back(static_cast<float>(1 / reference_density(j)));
+            if (!around.per_density.empty()) around.per_density.resize(around.at.x.size());
             for (std::size_t k = 0; k < tree::bucket_size && begin + k < state_.size(); ++k) {
               const double rho0 = reference_density(begin + k),
                            h = constant_h_[state_.body[begin + k]];

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "solver/base/constants.hpp"
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/pack.hpp"
 
 namespace eerie::tree {
 
@@ -17,54 +17,66 @@ constexpr int packs = static_cast<int>(bucket_size) / lanes<float>;
 struct Targets {
   P x[packs] = {}, y[packs] = {}, z[packs] = {};
   P ax[packs] = {}, ay[packs] = {}, az[packs] = {}, phi[packs] = {};
-
-  void pull(int k, P dx, P dy, P dz, P strength) {
-    ax[k] -= dx * strength, ay[k] -= dy * strength, az[k] -= dz * strength;
-  }
 };
 
 /// What a walk gathers: a field at every target, of one kind or the other.
 enum class Field { acceleration, potential };
 
-/// A point source far enough for Newton's law.
-template <Field field>
-void add_point(Targets& t, const Vec3& source) {
-  const auto sx = static_cast<float>(source.x), sy = static_cast<float>(source.y),
-             sz = static_cast<float>(source.z);
-  for (int k = 0; k < packs; ++k) {
-    const P dx = t.x[k] - sx, dy = t.y[k] - sy, dz = t.z[k] - sz;
-    const P s = inverse_sqrt(P(dx * dx + dy * dy + dz * dz));
+/// The particles of one leaf, relative to the centre of the targets' bucket.
+struct Sources {
+  int count;
+  float x[KdTree::leaf_size], y[KdTree::leaf_size], z[KdTree::leaf_size];
+};
+
+/// Adds to one pack of targets what strength(r^2) gives for each source in turn.
+template <Field field, class Strength>
+[[gnu::always_inline]] inline void add_sources(Targets& t, int k, const Sources& sources,
+                                               Strength&& strength) {
+  const P x = t.x[k], y = t.y[k], z = t.z[k];
+  P ax = t.ax[k], ay = t.ay[k], az = t.az[k], phi = t.phi[k];
+  for (int j = 0; j < sources.count; ++j) {
+    const P dx = x - sources.x[j], dy = y - sources.y[j], dz = z - sources.z[j];
+    const P s = strength(P(dx * dx + dy * dy + dz * dz));
     if constexpr (field == Field::acceleration)
-      t.pull(k, dx, dy, dz, s * s * s);
+      ax -= dx * s, ay -= dy * s, az -= dz * s;
     else
-      t.phi[k] -= s;
+      phi -= s;
   }
+  t.ax[k] = ax, t.ay[k] = ay, t.az[k] = az, t.phi[k] = phi;
 }
 
-/// A particle that may be inside the softening: mass of the cubic spline within r.
+/// Point sources far enough for Newton's law.
 template <Field field>
-void add_softened(Targets& t, const Vec3& source, float h) {
-  const auto sx = static_cast<float>(source.x), sy = static_cast<float>(source.y),
-             sz = static_cast<float>(source.z);
+void add_points(Targets& t, int k, const Sources& sources) {
+  add_sources<field>(
+      t, k, sources, [](P r2) __attribute__((always_inline)) {
+        const P s = inverse_sqrt(r2);
+        return field == Field::acceleration ? P(s * s * s) : s;
+      });
+}
+
+/// Particles that may be inside the softening: mass of the cubic spline within r.
+template <Field field>
+void add_softened(Targets& t, int k, const Sources& sources, float h) {
   const float ih = 1 / h;
-  for (int k = 0; k < packs; ++k) {
-    const P dx = t.x[k] - sx, dy = t.y[k] - sy, dz = t.z[k] - sz;
-    const P r2 = dx * dx + dy * dy + dz * dz + 1e-12f * h * h;
-    const P s = inverse_sqrt(r2), q = r2 * s * ih, q2 = q * q, q3 = q2 * q;
-    const auto far = q >= 2, inner = q < 1;
-    if constexpr (field == Field::acceleration) {
-      const P newton = s * s * s;
-      const P shell =
-          newton * (q3 * (8.f / 3 + q * (-3.f + q * (1.2f - q * (1.f / 6)))) - 1.f / 15);
-      const P core = ih * ih * ih * (4.f / 3 + q2 * (-1.2f + 0.5f * q));
-      t.pull(k, dx, dy, dz, far ? newton : inner ? core : shell);
-    } else {
-      const P shell =
-          ih * (1.6f + q2 * (-4.f / 3 + q * (1.f + q * (-0.3f + q * (1.f / 30))))) - s * (1.f / 15);
-      const P core = ih * (1.4f + q2 * (-2.f / 3 + q2 * (0.3f - 0.1f * q)));
-      t.phi[k] -= far ? s : inner ? core : shell;
-    }
-  }
+  add_sources<field>(
+      t, k, sources, [&](P d2) __attribute__((always_inline)) {
+        const P r2 = d2 + 1e-12f * h * h, s = inverse_sqrt(r2), q = r2 * s * ih, q2 = q * q,
+                q3 = q2 * q;
+        const auto far = q >= 2, inner = q < 1;
+        if constexpr (field == Field::acceleration) {
+          const P newton = s * s * s;
+          const P shell =
+              newton * (q3 * (8.f / 3 + q * (-3.f + q * (1.2f - q * (1.f / 6)))) - 1.f / 15);
+          const P core = ih * ih * ih * (4.f / 3 + q2 * (-1.2f + 0.5f * q));
+          return P(far ? newton : inner ? core : shell);
+        } else {
+          const P shell = ih * (1.6f + q2 * (-4.f / 3 + q * (1.f + q * (-0.3f + q * (1.f / 30))))) -
+                          s * (1.f / 15);
+          const P core = ih * (1.4f + q2 * (-2.f / 3 + q2 * (0.3f - 0.1f * q)));
+          return P(far ? s : inner ? core : shell);
+        }
+      });
 }
 
 /// A distant node: monopole and quadrupole about its centre of mass.
@@ -81,7 +93,8 @@ void add_node(Targets& t, const Vec3& centre, float count, const SymTensorf& Q) 
     const P rqr = (dx * qx + dy * qy + dz * qz) * s2;
     const P s3 = s2 * s, s5 = s3 * s2;
     if constexpr (field == Field::acceleration) {
-      t.pull(k, dx, dy, dz, count * s3 + 2.5f * rqr * s5);
+      const P strength = count * s3 + 2.5f * rqr * s5;
+      t.ax[k] -= dx * strength, t.ay[k] -= dy * strength, t.az[k] -= dz * strength;
       t.ax[k] += qx * s5, t.ay[k] += qy * s5, t.az[k] += qz * s5;
     } else {
       t.phi[k] -= count * s + 0.5f * rqr * s3;
@@ -130,6 +143,7 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& sources,
   fit_moments(tree, sources);
   constexpr Field field = potential ? Field::potential : Field::acceleration;
   const double reach = 2 * p_.h;
+  const double surely_beyond = 1.00001 * reach;  // with rounded distances too
   const auto h = static_cast<float>(p_.h);
 #pragma omp parallel
   {
@@ -138,8 +152,11 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& sources,
     for (std::size_t b = 0; b < bucket_count(targets.size()); ++b) {
       const std::size_t first = b * bucket_size,
                         last = std::min(first + bucket_size, targets.size());
-      Box box;
-      for (std::size_t i = first; i < last; ++i) box.include(targets[i]);
+      const int filled = static_cast<int>(last - first + lanes<float> - 1) / lanes<float>;
+      Box box, boxes[packs];
+      for (std::size_t i = first; i < last; ++i)
+        boxes[static_cast<int>(i - first) / lanes<float>].include(targets[i]);
+      for (int k = 0; k < filled; ++k) box.include(boxes[k]);
       const Vec3 origin = box.centre();
       Targets t;
       for (std::size_t i = first; i < last; ++i) {
@@ -162,12 +179,19 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& sources,
         } else if (!node.is_leaf()) {
           stack.push_back(node.right);
           stack.push_back(node.left);
-        } else if (distance2(box, node.box) > reach * reach) {
-          for (std::uint32_t j = node.begin; j < node.end; ++j)
-            add_point<field>(t, sources[j] - origin);
         } else {
-          for (std::uint32_t j = node.begin; j < node.end; ++j)
-            add_softened<field>(t, sources[j] - origin, h);
+          Sources leaf{static_cast<int>(node.size()), {}, {}, {}};
+          for (int j = 0; j < leaf.count; ++j) {
+            const Vec3 d = sources[node.begin + static_cast<std::uint32_t>(j)] - origin;
+            leaf.x[j] = static_cast<float>(d.x), leaf.y[j] = static_cast<float>(d.y),
+            leaf.z[j] = static_cast<float>(d.z);
+          }
+          const bool all_far = distance2(box, node.box) > reach * reach;
+          for (int k = 0; k < filled; ++k)
+            if (all_far || distance2(boxes[k], node.box) > surely_beyond * surely_beyond)
+              add_points<field>(t, k, leaf);
+            else
+              add_softened<field>(t, k, leaf, h);
         }
       }
       for (std::size_t i = first; i < last; ++i) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/search.hpp"
 #include "solver/tree/places.hpp"
 
 namespace eerie::tree {
@@ -24,7 +24,9 @@ struct Builder {
   Places local;  ///< relative to the centre of the bucket
   std::vector<std::uint32_t> stack;
   std::vector<std::uint32_t> rows;
-  std::vector<std::uint16_t> found, index;
+  /// What a list says for each row; the lists, in room for the longest; how far they go.
+  std::vector<std::uint16_t> ids, index;
+  std::size_t listed = 0;
 
   /// Particles that `box` may reach, bucket `own` excluded, in tree order.
   void collect(const Box& box, std::uint32_t own) {
@@ -36,19 +38,29 @@ struct Builder {
       if (node.begin / bucket_size == own && node.size() <= bucket_size) continue;
       if (distance2(node.box, box) >= r2) continue;
       if (node.is_leaf()) {
-        // Written first and kept if near: whether it is cannot be predicted.
-        std::size_t n = rows.size();
-        rows.resize(n + node.size());
-        for (std::uint32_t j = node.begin; j < node.end; ++j) {
-          rows[n] = j;
-          n += distance2(box, x[j]) < r2;
-        }
-        rows.resize(n);
+        const std::size_t n = rows.size();
+        rows.resize(n + KdTree::leaf_size + lanes<double>);
+        std::uint32_t* end = rows.data() + n;
+        for (std::uint32_t j = node.begin; j < node.end; j += lanes<double>)
+          end = append_less(distances2(box, j, node.end), r2, j, end);
+        rows.resize(static_cast<std::size_t>(end - rows.data()));
       } else {
         stack.push_back(node.right);
         stack.push_back(node.left);
       }
     }
+  }
+
+  /// The squared distances of particles j, j + 1... before `last` from a box; infinite beyond.
+  Pack<double> distances2(const Box& box, std::uint32_t j, std::uint32_t last) const {
+    const std::size_t count = std::min<std::size_t>(last - j, lanes<double>);
+    const auto [px, py, pz] = load_vectors(&x[j].x, count);
+    const Pack<double> dx = positive_part(box.lo.x - px) + positive_part(px - box.hi.x),
+                       dy = positive_part(box.lo.y - py) + positive_part(py - box.hi.y),
+                       dz = positive_part(box.lo.z - pz) + positive_part(pz - box.hi.z);
+    Pack<double> d2 = dx * dx + dy * dy + dz * dz;
+    for (std::size_t l = count; l < lanes<double>; ++l) d2[l] = 1e300;
+    return d2;
   }
 
   /// Mirror images that `box` may reach, of any bucket: an image of `box` reaches the particle.
@@ -69,7 +81,6 @@ struct Builder {
     for (std::uint32_t i = first; i < last; ++i) box.include(x[i]);
     rows.clear();
     list.images.clear();
-    index.clear();
     for (std::uint32_t i = first; i < last; ++i) rows.push_back(i);
     collect(box, bucket);
     if (!images.empty()) collect_images(box, list);
@@ -78,13 +89,13 @@ struct Builder {
           "collapse", -1, static_cast<long>(first),
           fmt::format("{} particles crowd around one bucket of {}", rows.size(), bucket_size));
     const Vec3 centre = box.centre();
-    local.clear();
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      local.push(list.as_seen(k, x[rows[k]], images) - centre);
-    }
-    local.pad();
+    local.fill(rows.size(),
+               [&](std::size_t k) { return list.as_seen(k, x[rows[k]], images) - centre; });
+    while (ids.size() < local.x.size())
+      ids.push_back(static_cast<std::uint16_t>(ids.size() * row_units));
+    listed = 0;
     for (std::uint32_t k = 0; k < last - first; ++k) {
-      list.begin[k] = static_cast<std::uint32_t>(index.size());
+      list.begin[k] = static_cast<std::uint32_t>(listed);
       const std::size_t neighbours = append_neighbours(k);
       // Bulk particles need no slack of their own: their nearest unlisted one is a skin away.
       slack[first + k] = neighbours > loose_neighbours || !images.empty()
@@ -92,10 +103,10 @@ struct Builder {
                              : static_cast<float>(unlisted_distance(first + k) - support);
     }
     for (std::size_t k = last - first; k <= bucket_size; ++k)
-      list.begin[k] = static_cast<std::uint32_t>(index.size());
+      list.begin[k] = static_cast<std::uint32_t>(listed);
     // Copied at their length: grown in place they would hold up to twice the memory.
     list.rows.assign(rows.begin(), rows.end());
-    list.index.assign(index.begin(), index.end());
+    list.index.assign(index.data(), index.data() + listed);
   }
 
   std::size_t append_neighbours(std::uint32_t k) {
@@ -103,17 +114,18 @@ struct Builder {
     const auto r2 = static_cast<float>(radius * radius * (1 + 2e-5));
     const float xk = local.x[k], yk = local.y[k], zk = local.z[k];
     local.x[k] = 1e9f;  // out of its own way
-    found.resize(local.x.size() + NeighbourList::padding);
-    std::uint16_t* end = found.data();
-    for (std::size_t l = 0; l < local.x.size(); l += lanes<float>)
-      end = append_less(local.distance2(l, xk, yk, zk), r2, static_cast<std::uint16_t>(l), end);
+    const std::size_t most = listed + local.x.size() + NeighbourList::padding;
+    if (index.size() < most) index.resize(2 * most);
+    std::uint16_t* const begin = index.data() + listed;
+    std::uint16_t* end = begin;
+    local.visit_packs_near(xk, yk, zk, r2, [&](std::size_t l) {
+      end = append_less(local.distance2(l, xk, yk, zk), r2, ids.data() + l, end);
+    });
     local.x[k] = xk;
-    const auto neighbours = static_cast<std::size_t>(end - found.data());
-    while (static_cast<std::size_t>(end - found.data()) % NeighbourList::padding != 0)
-      *end++ = static_cast<std::uint16_t>(rows.size());
-    for (std::uint16_t* entry = found.data(); entry < end; ++entry)
-      *entry = static_cast<std::uint16_t>(*entry * row_units);
-    index.insert(index.end(), found.data(), end);
+    const auto neighbours = static_cast<std::size_t>(end - begin);
+    while (static_cast<std::size_t>(end - begin) % NeighbourList::padding != 0)
+      *end++ = static_cast<std::uint16_t>(rows.size() * row_units);
+    listed += static_cast<std::size_t>(end - begin);
     return neighbours;
   }
 
@@ -160,7 +172,8 @@ void NeighbourList::build(const KdTree& tree, const std::vector<Vec3>& x) {
                     {},
                     {},
                     {},
-                    {}};
+                    {},
+                    0};
 #pragma omp for schedule(dynamic, 4)
     for (std::size_t b = 0; b < buckets_.size(); ++b) {
       try {

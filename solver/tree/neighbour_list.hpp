@@ -73,14 +73,6 @@ class NeighbourList {
       visit(list.as_seen(place, x[list.rows[place]], images_), list.rows[place]);
     }
   }
-  /// Calls visit(position, index) for the particles of a bucket, and then for all neighbours that
-  /// any of them lists.
-  template <class Visit>
-  void visit_around(std::size_t bucket, const std::vector<Vec3>& x, Visit&& visit) const {
-    const BucketList& list = buckets_[bucket];
-    for (std::size_t place = 0; place < list.rows.size(); ++place)
-      visit(list.as_seen(place, x[list.rows[place]], images_), list.rows[place]);
-  }
   std::size_t buckets() const { return buckets_.size(); }
   bool empty() const { return buckets_.empty(); }
   const std::vector<Vec3>& built_at() const { return built_at_; }

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/rows.hpp"
 
 namespace eerie::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/remnants/analysis.hpp"
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/pack.hpp"
 #include "solver/initial/bodies.hpp"
 #include "solver/step/solver.hpp"
 

@@ -19,7 +19,7 @@
 #include "campaign/worker/solve_folder.hpp"
 #include "campaign/worker/worker.hpp"
 #include "solver/base/file.hpp"
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/pack.hpp"
 #include "solver/scene/guards.hpp"
 
 namespace eerie::cli {

@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include "solver/base/constants.hpp"
-#include "solver/base/simd.hpp"
+#include "solver/base/simd/pack.hpp"
 
 namespace eerie::sph {
 

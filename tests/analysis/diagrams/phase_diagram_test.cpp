@@ -56,6 +56,24 @@ std::size_t count(const std::string& text, const std::string& words) {
   return found;
 }
 
+TEST(PhaseDiagram, BordersAreDrawnInPanelsOfTheirProbabilityAlone) {
+  PhaseDiagram map = small_map();
+  for (PhaseCell& cell : map.cells)
+    if (cell.has_result()) cell.p_largest_eer = cell.v_imp_cm_per_s == 18 ? 0.25 : 1;
+  EXPECT_THAT(script(map, MapQuantity::p_largest_eer), Not(HasSubstr("$half")));
+  map.borders = EerBorders{{{{16, 11}, {17, 12.5}, {16, 11}}}, {{{15.5, 10}, {18, 13}}}};
+  const std::string text = script(map, MapQuantity::p_largest_eer);
+  EXPECT_THAT(text, HasSubstr("$half << EOD\n16 11\n17 12.5\n16 11\n\nEOD"));
+  EXPECT_THAT(text, HasSubstr("$ends << EOD\n15.5 10\n18 13\n\nEOD"));
+  EXPECT_THAT(text, HasSubstr("fitted: P = 1/2"));
+  EXPECT_THAT(text, HasSubstr("its 68 % interval"));
+  // Colours tell 0 and 1; letters would hide the curves.
+  EXPECT_THAT(text, HasSubstr("\"0.25\""));
+  EXPECT_THAT(text, Not(HasSubstr("\"1\" at")));
+  EXPECT_THAT(text, Not(HasSubstr("perfect-merging")));
+  EXPECT_THAT(script(map), Not(HasSubstr("$half")));
+}
+
 TEST(PhaseDiagram, EveryResultShowsColourValueAndClass) {
   const std::string text = script(small_map());
   for (const PhaseCell& cell : small_map().cells) {

@@ -2,11 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "campaign/maps/map_csv.hpp"
 #include "db/store/settings.hpp"
+#include "solver/base/constants.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/file.hpp"
 #include "tests/support/impact_database.hpp"
@@ -104,6 +107,46 @@ TEST_F(Maps, HaveTheirNumbersInATable) {
   row = table(1);
   EXPECT_EQ(row["jobs"], "1");
   EXPECT_EQ(row["b_over_a"] + row["p_eer"] + row["class"] + row["hit_and_run_share"], "");
+}
+
+TEST_F(Maps, OfTheProbabilityHaveItsFitInTheirTable) {
+  std::vector<std::pair<json, double>> impacts;
+  for (const double v : {16.0, 18.0, 20.0, 22.0, 24.0})
+    for (const double theta : {10.0, 12.5, 15.0, 17.5}) {
+      const double s = v * std::sin(radians(theta));
+      impacts.emplace_back(survey_scene(1, 40, v, theta, 1), s > 4.4 && s < 5.4 ? 0.25 : 0.6);
+    }
+  test::add_impacts(connection, impacts);
+  add(survey_scene(1, 50, 20, 15, 1), 0.25);  // a map of one impact has no fit
+  const fs::path file = folder / "p.csv";
+  draw_named_maps(connection, {{}, {diagrams::MapQuantity::p_largest_eer}, {file}});
+  std::istringstream text(read_file(file));
+  std::string header, line;
+  std::getline(text, header);
+  EXPECT_TRUE(header.ends_with(",p_eer_fit,p_eer_fit_low,p_eer_fit_high")) << header;
+  int fitted = 0, empty = 0;
+  while (std::getline(text, line)) {
+    EXPECT_EQ(std::ranges::count(line, ','), std::ranges::count(header, ',')) << line;
+    if (line.ends_with(",,,")) {
+      ++empty;
+      EXPECT_TRUE(line.starts_with("1,50,")) << line;
+      continue;
+    }
+    std::istringstream last(line.substr(line.rfind(',', line.rfind(',', line.rfind(',') - 1) - 1)));
+    char comma;
+    double p, low, high;
+    last >> comma >> p >> comma >> low >> comma >> high;
+    EXPECT_TRUE(0 <= low && low <= high && high <= 1 && p >= 0 && p <= 1) << line;
+    if (line.starts_with("1,40,20,15,")) {
+      EXPECT_GT(p, 0.5) << line;
+    }
+    if (line.starts_with("1,40,16,10,")) {
+      EXPECT_LT(p, 0.2) << line;
+    }
+    ++fitted;
+  }
+  EXPECT_EQ(fitted, 20);
+  EXPECT_EQ(empty, 1);
 }
 
 TEST_F(Maps, OfSeveralSettingsAreNotDrawnButTabulated) {
