@@ -53,6 +53,7 @@ struct Builder {
 
   /// The squared distances of particles j, j + 1... before `last` from a box; infinite beyond.
   Pack<double> distances2(const Box& box, std::uint32_t j, std::uint32_t last) const {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));  // side by side, without gaps
     const std::size_t count = std::min<std::size_t>(last - j, lanes<double>);
     const auto [px, py, pz] = load_vectors(&x[j].x, count);
     const Pack<double> dx = positive_part(box.lo.x - px) + positive_part(px - box.hi.x),
