@@ -43,3 +43,4 @@ $eerie query $runs --columns $columns -o $out/results.csv
 $eerie query $runs --of remnants -o $out/remnants.csv
 $eerie sizes $runs -o $out/sizes.svg > /dev/null
 python3 $out/beyond/figures.py
+python3 $out/page.py $eerie $db
