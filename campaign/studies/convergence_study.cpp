@@ -1,6 +1,7 @@
 #include "campaign/studies/convergence_study.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +68,13 @@ void require_known(const ConvergenceStudy::Rung& rung,
     }
 }
 
+void require_known(const std::string& scheme, const std::vector<std::string>& schemes,
+                   const std::string& where) {
+  if (std::ranges::find(schemes, scheme) == schemes.end())
+    throw InputError(fmt::format("{}: by_scheme names the scheme \"{}\"; the schemes are {}", where,
+                                 scheme, fmt::join(schemes, ", ")));
+}
+
 void require_distinct(const std::vector<ConvergenceStudy::Case>& cases, const std::string& where) {
   for (std::size_t i = 0; i < cases.size(); ++i)
     for (std::size_t j = i + 1; j < cases.size(); ++j)
@@ -78,6 +86,8 @@ void require_distinct(const std::vector<ConvergenceStudy::Case>& cases, const st
 Scene scene_of(const ConvergenceStudy& study, const ConvergenceStudy::Case& c,
                const std::string& scheme, std::int64_t particles, std::int64_t seed) {
   json scene = c.scene;
+  if (const auto own = study.by_scheme.find(scheme); own != study.by_scheme.end())
+    scene.merge_patch(own->second);
   scene["numerics"]["scheme"] = scheme;
   scene["numerics"]["particles_per_target"] = particles;
   scene["numerics"]["seed"] = seed;
@@ -96,6 +106,11 @@ ConvergenceStudy parse_convergence_study(const json& given, const std::string& w
   study.document = given;
   study.where = where;
   study.schemes = given.value("schemes", std::vector{default_scheme()});
+  const json by_scheme = given.value("by_scheme", json::object());
+  for (const auto& [scheme, fields] : by_scheme.items()) {
+    require_known(scheme, study.schemes, where);
+    study.by_scheme[scheme] = sweeps::with_integers(fields);
+  }
   for (const json& c : given["cases"])
     study.cases.push_back(parse_case(c, given.value("scene", json::object())));
   study.published_at_s = given_as<double>(given, "published_at_s");

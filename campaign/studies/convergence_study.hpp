@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -30,6 +31,8 @@ struct ConvergenceStudy {
   };
   std::string name;
   std::vector<std::string> schemes;
+  /// Fields that the runs of a scheme have besides, over all others.
+  std::map<std::string, nlohmann::json> by_scheme;
   std::vector<Case> cases;
   std::vector<Rung> ladder;
   /// The time of the published measurement, s after the start; nothing: the end of a run.

@@ -52,6 +52,21 @@ TEST(ConvergenceStudy, GivesEveryCaseTheScenesFieldsAndItsOwnOnTop) {
   EXPECT_EQ(study.cases[0].published.b_over_a, std::nullopt);
 }
 
+TEST(ConvergenceStudy, GivesTheRunsOfASchemeItsFieldsOverAllOthers) {
+  json given = small_study();
+  given["by_scheme"]["shear-free"] = {{"end", {{"time_s", 70}}},
+                                      {"impact", {{"v_imp_cm_per_s", 30}}}};
+  for (const ConvergenceRun& run : runs_of(parse_convergence_study(given, "study.json"))) {
+    const bool own = run.scheme == "shear-free";
+    EXPECT_EQ(run.scene.end.time_s, own ? 70 : 100);
+    EXPECT_EQ(run.scene.impact.v_imp_cm_per_s, own ? 30 : run.case_name == "fast" ? 24 : 18);
+    EXPECT_EQ(run.scene.impact.theta_imp_deg, run.case_name == "fast" ? 15 : 10);
+  }
+  given["by_scheme"]["shear-freee"] = json::object();
+  EXPECT_THAT(complaint(given), HasSubstr("by_scheme names the scheme \"shear-freee\"; the "
+                                          "schemes are dual, shear-free"));
+}
+
 TEST(ConvergenceStudy, RunsWhatIsWorthMostForItsCostFirst) {
   const auto runs = runs_of(parse_convergence_study(small_study(), "study.json"));
   ASSERT_EQ(runs.size(), 4u * 2 * 2 + 2u * 1 * 2);
