@@ -6,6 +6,7 @@
 #include <set>
 
 #include "analysis/paper/threshold.hpp"
+#include "analysis/statistics/ensemble.hpp"
 #include "solver/base/constants.hpp"
 
 namespace eerie::paper {
@@ -61,13 +62,12 @@ EerRegion::Probability EerRegion::at(double v, double theta_deg) const {
   std::vector<double> p;
   for (const statistics::LogisticSurface& draw : draws_) p.push_back(draw.p(x, y));
   std::ranges::sort(p);
-  const auto quantile = [&](double part) {
-    return p[static_cast<std::size_t>(std::lround(part * static_cast<double>(p.size() - 1)))];
-  };
-  return {best_.p(x, y), quantile(0.16), quantile(0.84)};
+  return {best_.p(x, y), statistics::quantile(p, 0.16), statistics::quantile(p, 0.84)};
 }
 
-std::optional<EerRegion> eer_region(const std::vector<EerTrials>& impacts, std::uint64_t seed) {
+std::optional<EerRegion> eer_region(const std::vector<EerTrials>& all, std::uint64_t seed) {
+  std::vector<EerTrials> impacts = all;
+  std::erase_if(impacts, [](const EerTrials& t) { return !(t.theta_imp_deg > 0); });
   if (!tells_enough(impacts)) return std::nullopt;
   EerRegion region;
   Spread s, v;

@@ -35,7 +35,7 @@ class EerRegion {
 };
 
 /// Fits the region. Nothing where P(EER) summed over the impacts is below 4, or where all EERs have
-/// one speed or one angle.
+/// one speed or one angle. Head-on impacts are left out: they have no ln(v sin theta).
 std::optional<EerRegion> eer_region(const std::vector<EerTrials>& impacts, std::uint64_t seed = 1);
 
 }  // namespace eerie::paper

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "analysis/remnants/remnants.hpp"
+#include "analysis/statistics/ensemble.hpp"
 #include "analysis/statistics/map_axis.hpp"
 #include "solver/base/constants.hpp"
 
@@ -100,12 +101,6 @@ std::vector<double> bootstrap(const std::vector<Weighted>& line, std::size_t sam
   }
   std::ranges::sort(constants);
   return constants;
-}
-
-/// Of ascending values; the nearest one.
-double quantile(const std::vector<double>& values, double part) {
-  return values[static_cast<std::size_t>(
-      std::lround(part * static_cast<double>(values.size() - 1)))];
 }
 
 RidgeBound bound(const std::vector<RidgeCell>& cells, double RidgeCell::*value) {
@@ -260,7 +255,7 @@ std::variant<Threshold, TooFewForThreshold> fit_threshold(std::vector<RidgeCell>
   const Moments ridge = moments(line);
   t.constant = ridge.mean(), t.deviation = ridge.deviation();
   const std::vector<double> constants = bootstrap(line, samples, seed);
-  t.low = quantile(constants, 0.025), t.high = quantile(constants, 0.975);
+  t.low = statistics::quantile(constants, 0.025), t.high = statistics::quantile(constants, 0.975);
   t.v_imp = bound(cells, &RidgeCell::v_imp_cm_per_s);
   t.theta_imp = bound(cells, &RidgeCell::theta_imp_deg);
   t.success = success(cells, t);

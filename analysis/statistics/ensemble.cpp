@@ -26,4 +26,9 @@ std::optional<double> deviation_of(const Ensemble& e) {
   return e.runs > 1 ? std::optional(e.deviation) : std::nullopt;
 }
 
+double quantile(const std::vector<double>& ascending, double part) {
+  return ascending[static_cast<std::size_t>(
+      std::lround(part * static_cast<double>(ascending.size() - 1)))];
+}
+
 }  // namespace eerie::statistics

@@ -20,4 +20,8 @@ std::optional<double> mean_of(const Ensemble& e);
 /// The deviation; nothing where fewer than two runs have the number.
 std::optional<double> deviation_of(const Ensemble& e);
 
+/// The value below which `part` of some values lie, which ascend and are at least one; the nearest
+/// of them.
+double quantile(const std::vector<double>& ascending, double part);
+
 }  // namespace eerie::statistics

@@ -170,7 +170,9 @@ std::vector<fs::path> draw_named_maps(const db::Connection& connection, const Na
   std::vector<std::optional<paper::EerRegion>> regions;
   if (std::ranges::count(request.quantities, diagrams::MapQuantity::p_largest_eer) > 0) {
     regions = eer_regions(points);
-    for (std::size_t k = 0; k < regions.size(); ++k)
+    const bool drawn = std::ranges::any_of(
+        request.files, [](const fs::path& file) { return file.extension() != ".csv"; });
+    for (std::size_t k = 0; drawn && k < regions.size(); ++k)
       if (regions[k]) figure.diagrams[k].borders = borders_of(*regions[k], figure.diagrams[k]);
   }
   std::vector<fs::path> written;

@@ -61,7 +61,7 @@ std::string line(const db::MapPoint& p) {
 }
 
 std::string fitted(const std::optional<paper::EerRegion>& region, const db::MapPoint& point) {
-  if (!region) return ",,,";
+  if (!region || point.theta_imp_deg == 0) return ",,,";  // a head-on impact has no place there
   const paper::EerRegion::Probability fit = region->at(point.v_imp_cm_per_s, point.theta_imp_deg);
   return fmt::format(",{:.4f},{:.4f},{:.4f}", fit.p, fit.low, fit.high);
 }

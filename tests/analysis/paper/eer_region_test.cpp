@@ -80,6 +80,16 @@ TEST(EerRegion, TheSameSeedGivesTheSameBits) {
   EXPECT_EQ(a.high, b.high);
 }
 
+TEST(EerRegion, HeadOnImpactsChangeNothing) {
+  std::vector<EerTrials> impacts = campaign(2, 1);
+  const auto without = eer_region(impacts)->at(20, 14);
+  for (double v = 15; v <= 30; v += 1) impacts.push_back({v, 0, 0, 2});
+  const auto with = eer_region(impacts)->at(20, 14);
+  EXPECT_EQ(with.p, without.p);
+  EXPECT_EQ(with.low, without.low);
+  EXPECT_EQ(with.high, without.high);
+}
+
 TEST(EerRegion, TooFewEersOrAllAtOneAngleMakeNone) {
   EXPECT_FALSE(eer_region({}));
   std::vector<EerTrials> three, one_angle;
