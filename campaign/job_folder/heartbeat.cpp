@@ -48,7 +48,7 @@ void Heartbeat::install() const {
                      {"unix_time_s", std::chrono::duration<double>(now).count()},
                      {"awake_s", awake_.count()}};
   try {
-    install_text(path_, beat.dump());
+    show_text(path_, beat.dump());
   } catch (const EnvironmentError& error) {
     spdlog::warn("no heartbeat: {}", error.what());  // the run itself may still succeed
   }

@@ -5,16 +5,16 @@ namespace fs = std::filesystem;
 
 std::vector<HistoryRow> read_history(const fs::path& path) { return History(path).rows(); }
 
-HistoryRow history_row(double time_s, const remnants::Analysis& analysis) {
+HistoryRow history_row(double time_s, const std::vector<remnants::Remnant>& found) {
   HistoryRow row;
   row.time_s = time_s;
-  row.n_remnants = static_cast<int>(analysis.remnants.size());
-  if (!analysis.remnants.empty()) {
-    row.m_1_over_m_total = analysis.remnants[0].mass_over_total;
-    row.b_over_a = analysis.remnants[0].shape.b_over_a();
-    row.c_over_a = analysis.remnants[0].shape.c_over_a();
+  row.n_remnants = static_cast<int>(found.size());
+  if (!found.empty()) {
+    row.m_1_over_m_total = found[0].mass_over_total;
+    row.b_over_a = found[0].shape.b_over_a();
+    row.c_over_a = found[0].shape.c_over_a();
   }
-  if (analysis.remnants.size() > 1) row.m_2_over_m_total = analysis.remnants[1].mass_over_total;
+  if (found.size() > 1) row.m_2_over_m_total = found[1].mass_over_total;
   return row;
 }
 

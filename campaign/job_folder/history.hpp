@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/ending/steadiness.hpp"
-#include "analysis/remnants/analysis.hpp"
+#include "analysis/remnants/remnants.hpp"
 #include "campaign/job_folder/row_log.hpp"
 
 namespace eerie::job_folder {
@@ -53,8 +53,8 @@ void visit_columns(Row& row, Visit&& visit) {
   visit("density_error", row.density_error);
 }
 
-/// Makes a row from an analysis.
-HistoryRow history_row(double time_s, const remnants::Analysis& analysis);
+/// Makes a row from the remnants of a moment, the most massive first.
+HistoryRow history_row(double time_s, const std::vector<remnants::Remnant>& found);
 
 /// Reads the rows of a history.csv; none where the file is missing. It leaves out incomplete lines.
 std::vector<HistoryRow> read_history(const std::filesystem::path& path);

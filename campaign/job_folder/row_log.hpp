@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/base/file.hpp"
@@ -23,19 +24,28 @@ class RowLog {
     if (!std::filesystem::exists(path_, ignored)) return;
     std::istringstream lines(read_file(path_));
     Row row;
-    for (std::string line; std::getline(lines, line);)
+    for (std::string line; std::getline(lines, line) && !lines.eof();)
       if (parse(line, row)) rows_.push_back(row);
   }
 
-  /// Installs the file with these rows of one moment. They replace rows of the same or a later
-  /// time, which an attempt has left that was interrupted after its last checkpoint.
+  /// Adds these rows of one moment to the file. They replace rows of the same or a later time,
+  /// which an attempt has left that was interrupted after its last checkpoint. A power cut may take
+  /// them again until flush() has returned.
   void add(const std::vector<Row>& rows) {
     if (rows.empty()) return;
-    std::erase_if(rows_, [&](const Row& r) { return r.time_s >= rows.front().time_s; });
+    const auto replaced =
+        std::erase_if(rows_, [&](const Row& r) { return r.time_s >= rows.front().time_s; });
     rows_.insert(rows_.end(), rows.begin(), rows.end());
-    std::string text = header();
-    for (const Row& r : rows_) text += line_of(r);
-    install_text(path_, text);
+    if (std::exchange(is_ours_, false) && replaced == 0)
+      append_text(path_, text_of(rows));
+    else
+      install_text(path_, header() + text_of(rows_));
+    is_ours_ = true;
+  }
+
+  /// Flushes what was added to the disk.
+  void flush() const {
+    if (is_ours_) flush_file(path_);
   }
 
   const std::vector<Row>& rows() const { return rows_; }
@@ -48,6 +58,12 @@ class RowLog {
       names += std::string(names.empty() ? "" : ",") + name;
     });
     return names + "\n";
+  }
+
+  static std::string text_of(const std::vector<Row>& rows) {
+    std::string text;
+    for (const Row& row : rows) text += line_of(row);
+    return text;
   }
 
   static std::string line_of(const Row& row) {
@@ -73,6 +89,7 @@ class RowLog {
 
   std::filesystem::path path_;
   std::vector<Row> rows_;
+  bool is_ours_ = false;  ///< whether the file holds these rows and nothing else
 };
 
 }  // namespace eerie::job_folder

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "analysis/ending/may_fly.hpp"
-#include "analysis/remnants/analysis.hpp"
 #include "analysis/remnants/meetings.hpp"
 #include "campaign/job_folder/result_file.hpp"
 #include "solver/scene/tide.hpp"
@@ -17,10 +16,10 @@ namespace eerie::worker {
 
 namespace {
 
-/// Everything that a row of the history says of a state.
-job_folder::HistoryRow full_row(const io::Snapshot& snapshot, const step::Totals& start) {
-  job_folder::HistoryRow row =
-      job_folder::history_row(snapshot.state.time, remnants::analyse(snapshot));
+/// Everything that a row of the history says of a state and its remnants.
+job_folder::HistoryRow full_row(const io::Snapshot& snapshot, const remnants::Remnants& found,
+                                const step::Totals& start) {
+  job_folder::HistoryRow row = job_folder::history_row(snapshot.state.time, found.remnants);
   const step::Totals t = step::totals(snapshot.scene, snapshot.state);
   row.kinetic_energy_J = t.kinetic_energy, row.potential_energy_J = t.potential_energy;
   row.internal_energy_J = t.internal_energy, row.viscous_heat_J = t.viscous_heat;
@@ -57,8 +56,9 @@ run::RunOptions Watch::options(int threads, long max_steps,
   options.max_steps = options.max_settling_steps = max_steps;
   options.on_progress = std::move(on_progress);
   options.on_history = [this](const io::Snapshot& snapshot, const step::Totals& start) {
-    history_.add({full_row(snapshot, start)});
+    history_.add({full_row(snapshot, found_in(snapshot.state), start)});
   };
+  options.before_checkpoint = [this] { history_.flush(), looks_.flush(); };
   options.look = [this](const io::Snapshot& snapshot, const run::LookQuestion& question) {
     return look(snapshot, question);
   };
@@ -75,9 +75,17 @@ run::RunOptions Watch::options(int threads, long max_steps,
   return options;
 }
 
+/// Looks and rows of the history often fall on one moment.
+const remnants::Remnants& Watch::found_in(const particles::State& state) {
+  if (state.time != found_at_) {
+    found_ = remnants::find_remnants(state);
+    found_at_ = state.time;
+  }
+  return found_;
+}
+
 run::LookAnswer Watch::look(const io::Snapshot& snapshot, const run::LookQuestion& question) {
-  found_ = remnants::find_remnants(snapshot.state);
-  const remnants::Remnants& found = found_;
+  const remnants::Remnants& found = found_in(snapshot.state);
   looks_.add(ending::look(snapshot.state.time, found, scene_.end.settled));
   if (is_settled(snapshot, found)) return run::End{};
   if (question.may_soften)

@@ -25,6 +25,7 @@ class Watch {
   const std::vector<job_folder::HistoryRow>& history() const { return history_.rows(); }
 
  private:
+  const remnants::Remnants& found_in(const particles::State& state);
   run::LookAnswer look(const io::Snapshot& snapshot, const run::LookQuestion& question);
   bool is_unpredictable(const remnants::Remnants& found) const;
   bool is_settled(const io::Snapshot& snapshot, const remnants::Remnants& found) const;
@@ -39,7 +40,8 @@ class Watch {
   StopRequest stop_;
   job_folder::History history_;
   job_folder::RowLog<ending::RemnantLook> looks_;
-  remnants::Remnants found_;  ///< at the last look
+  remnants::Remnants found_;  ///< at the last look or row
+  double found_at_ = -1;      ///< simulated time of that, s
 };
 
 }  // namespace eerie::worker

@@ -55,7 +55,7 @@ class ProgressWriter {
         p.time,   p.end_time, std::min(expected_end_s_, p.end_time), p.step, p.particle_steps,
         p.wall_s, ::getpid()};
     try {
-      install_text(directory_.progress(), job_folder::to_json(report).dump());
+      show_text(directory_.progress(), job_folder::to_json(report).dump());
     } catch (const EnvironmentError& error) {
       spdlog::warn("no progress noted: {}", error.what());  // the run itself may still succeed
     }

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <tuple>
 
 #include "solver/base/error.hpp"
 #include "solver/base/files/destination.hpp"
@@ -41,6 +42,20 @@ fs::path folder_of(const fs::path& path) {
 
 void rename_file(const fs::path& from, const fs::path& to) {
   if (::rename(from.c_str(), to.c_str()) != 0) fail("install", to);
+}
+
+/// The pid keeps two writers apart; the name starts with a dot so that globs pass it by.
+fs::path temporary_beside(const fs::path& path) {
+  return folder_of(path) / fmt::format(".{}.{}.tmp", path.filename().string(), ::getpid());
+}
+
+/// `asked` is the file that an error names.
+void write_text(const fs::path& path, std::string_view text, const fs::path& asked) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  if (!out) fail("create", asked);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (!out) fail("write", asked);
 }
 
 /// A folder of our own, for a file on its way into a stream.
@@ -95,10 +110,8 @@ void install_file(const fs::path& given, const std::function<void(const fs::path
     return pour(scratch.path() / given.filename(), to.path);
   }
   const fs::path& path = to.path;
-  const fs::path folder = folder_of(path);
+  const fs::path folder = folder_of(path), temporary = temporary_beside(path);
   const std::string name = path.filename().string();
-  // The pid keeps two writers apart; the name starts with a dot so that globs pass it by.
-  const fs::path temporary = folder / fmt::format(".{}.{}.tmp", name, ::getpid());
   try {
     kill_point("install.before-write", name);
     write(temporary);
@@ -125,15 +138,46 @@ void install_file(const fs::path& given, const std::function<void(const fs::path
 }
 
 void install_text(const fs::path& path, std::string_view text, const fs::path& previous) {
-  const auto write = [&](const fs::path& temporary) {
-    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    if (!out) fail("create", path);  // the one that was asked for
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.close();
-    if (!out) fail("write", path);
-  };
+  const auto write = [&](const fs::path& temporary) { write_text(temporary, text, path); };
   install_file(path, write, previous);
 }
+
+void show_text(const fs::path& path, std::string_view text) {
+  const fs::path temporary = temporary_beside(path);
+  try {
+    write_text(temporary, text, path);
+    rename_file(temporary, path);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw;
+  }
+}
+
+void append_text(const fs::path& path, std::string_view text) {
+  const int fd = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (fd < 0) fail("open", path);
+  const off_t end = ::lseek(fd, 0, SEEK_END);
+  std::size_t written = 0;
+  while (written < text.size()) {
+    const ssize_t n = ::write(fd, text.data() + written, text.size() - written);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) break;
+    written += static_cast<std::size_t>(n);
+  }
+  const int reason = errno;
+  const bool whole = written == text.size();
+  // Where even this fails a part of a line stays, which readers leave out.
+  if (!whole && end >= 0) std::ignore = ::ftruncate(fd, end);
+  ::close(fd);
+  if (whole) return;
+  errno = reason;
+  if (reason == ENOSPC || reason == EDQUOT)
+    throw DiskFullError(fmt::format("cannot write {}: the disk is full", path.string()));
+  fail("write", path);
+}
+
+void flush_file(const fs::path& path) { sync_path(path, O_RDONLY); }
 
 std::vector<fs::path> half_written_files(const fs::path& folder) {
   std::vector<fs::path> found;

@@ -24,6 +24,18 @@ void install_file(const std::filesystem::path& path,
 void install_text(const std::filesystem::path& path, std::string_view text,
                   const std::filesystem::path& previous = {});
 
+/// Like install_text(), without a flush to the disk: for what only readers at work need. After a
+/// power cut the file may be old, empty or gone.
+void show_text(const std::filesystem::path& path, std::string_view text);
+
+/// Adds a text to the end of a file that exists, without a flush: bytes may be lost in a power cut
+/// until flush_file() has returned, in part or whole. Throws EnvironmentError and takes back what
+/// it has written on failure.
+void append_text(const std::filesystem::path& path, std::string_view text);
+
+/// Flushes what was written to a file to the disk. Throws EnvironmentError.
+void flush_file(const std::filesystem::path& path);
+
 /// Lists the temporary files of install_file() in a folder. They belong to a writer at work, or to
 /// one that was killed. The list is empty where the folder cannot be read.
 std::vector<std::filesystem::path> half_written_files(const std::filesystem::path& folder);

@@ -131,9 +131,9 @@ class Run {
     {
       const StageTimer timer(solver_.stages(), Stage::output);
       if (end == RunEnd::finished)
-        io::write_snapshot(options_.directory / final_file, checkpoint());
+        keep_final_state();
       else
-        install_checkpoint(options_.directory, checkpoint());
+        keep_checkpoint();
     }
     RunSummary summary;
     summary.end = end;
@@ -269,9 +269,19 @@ class Run {
       if (options_.on_history) options_.on_history(snapshot(), first_totals_);
     }
     if (seconds_since(last_checkpoint_) >= scene_.output.checkpoint_interval_s) {
-      install_checkpoint(options_.directory, checkpoint());
+      keep_checkpoint();
       last_checkpoint_ = Clock::now();
     }
+  }
+
+  void keep_checkpoint() const {
+    if (options_.before_checkpoint) options_.before_checkpoint();
+    install_checkpoint(options_.directory, checkpoint());
+  }
+
+  void keep_final_state() const {
+    if (options_.before_checkpoint) options_.before_checkpoint();
+    io::write_snapshot(options_.directory / final_file, checkpoint());
   }
 
   io::Snapshot snapshot() const { return {scene_, solver_.state(), solver_.pressure(), {}, {}}; }

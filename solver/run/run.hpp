@@ -85,6 +85,9 @@ struct RunOptions {
   std::function<void(const Progress&)> on_progress;  ///< after every cycle of steps; must be cheap
   /// Called every output.history_interval_s, with the totals at time 0.
   std::function<void(const io::Snapshot&, const step::Totals& first)> on_history;
+  /// Called before a checkpoint or the final state is installed: what was written of the time until
+  /// then must last as the state does.
+  std::function<void()> before_checkpoint;
   /// Called `looks_per_window` times per end.settled.window_s, from the start on.
   std::function<LookAnswer(const io::Snapshot&, const LookQuestion&)> look;
   /// Whether remnants will meet. Called from end.time_s on, where end.latest_s is later.

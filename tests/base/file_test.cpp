@@ -12,6 +12,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/files/folders.hpp"
 #include "tests/io/snapshot_fixture.hpp"
+#include "tests/support/file_size_limit.hpp"
 
 namespace eerie {
 namespace {
@@ -107,6 +108,38 @@ TEST_F(AFile, ThatCannotBeMadeIsNamedAsItWasAskedFor) {
   } catch (const EnvironmentError& error) {
     EXPECT_THAT(error.what(), HasSubstr((folder / "missing/result.csv").string() + ": No such"));
   }
+}
+
+TEST_F(AFile, ThatIsAddedToKeepsWhatItHas) {
+  write(folder / "log", "one\n");
+  append_text(folder / "log", "two\n");
+  flush_file(folder / "log");
+  EXPECT_EQ(read_file(folder / "log"), "one\ntwo\n");
+  EXPECT_THROW(append_text(folder / "missing", "two\n"), EnvironmentError);
+  EXPECT_THROW(flush_file(folder / "missing"), EnvironmentError);
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AFile, ThatFindsNoRoomForAnAdditionIsAsItWas) {
+  write(folder / "log", "one\n");
+  const std::string much(20000, 'x');
+  {
+    const test::FileSizeLimit limit(10000);
+    EXPECT_THROW(append_text(folder / "log", much), EnvironmentError);
+  }
+  EXPECT_EQ(read_file(folder / "log"), "one\n");
+}
+
+TEST_F(AFile, ThatIsShownReplacesTheOneBefore) {
+  write(folder / "progress", "old");
+  show_text(folder / "progress", "new");
+  EXPECT_EQ(read_file(folder / "progress"), "new");
+  {
+    const test::FileSizeLimit limit(100);
+    EXPECT_THROW(show_text(folder / "progress", std::string(20000, 'x')), EnvironmentError);
+  }
+  EXPECT_EQ(read_file(folder / "progress"), "new");
+  EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(AFile, ThatIsAFolderIsRefused) {

@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <fstream>
 
 #include "solver/base/error.hpp"
@@ -9,6 +7,7 @@
 #include "solver/base/random.hpp"
 #include "solver/io/seal.hpp"
 #include "tests/io/snapshot_fixture.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/paths.hpp"
 
 namespace eerie::io {
@@ -147,29 +146,10 @@ TEST_F(SnapshotFile, RefusalPrintsNothing) {
   EXPECT_THAT(testing::internal::GetCapturedStderr(), IsEmpty());
 }
 
-/// A limit on file size stands in for a full disk: write() fails in the middle of the file.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    handler_ = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit before_{};
-  void (*handler_)(int) = nullptr;
-};
-
 TEST_F(SnapshotFile, FullDiskIsAnErrorOfTheEnvironmentAndKeepsTheOldFile) {
   const Snapshot larger = random_snapshot(3000);
   {
-    const FileSizeLimit limit(20000);
+    const test::FileSizeLimit limit(20000);
     EXPECT_THROW(write_snapshot(path_, larger), EnvironmentError);
   }
   EXPECT_THAT(differences(read_snapshot(path_), snapshot_), IsEmpty());

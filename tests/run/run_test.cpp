@@ -192,6 +192,25 @@ TEST(Run, WritesSnapshotsAndHistoryWhenTheyFallDue) {
   }
 }
 
+TEST(Run, SaysBeforeItKeepsAStateSoThatWhatBelongsToItLastsToo) {
+  const Scene scene = short_impact({{"output", {{"checkpoint_interval_s", 0}}}});
+  const TemporaryFolder folder;
+  int asked = 0;
+  RunOptions options;
+  options.max_steps = 33;
+  options.before_checkpoint = [&] { ++asked; };
+  run_in(folder, scene, options);
+  EXPECT_GE(asked, 3);  // a cycle has ten steps at most; the last checkpoint is that of the end
+  options.max_steps = 0;
+  options.before_checkpoint = [&] {
+    asked = 0;
+    EXPECT_FALSE(std::filesystem::exists(folder / "final.hdf5"));
+  };
+  run_in(folder, scene, options);
+  EXPECT_EQ(asked, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "final.hdf5"));
+}
+
 TEST(Run, AnInterruptedRunWritesTheSameSnapshots) {
   const Scene scene = short_impact({{"output", {{"snapshot_interval_s", 100}}}});
   const TemporaryFolder whole, parts;

@@ -20,7 +20,9 @@ namespace {
 std::map<std::string, json> outcomes(const fs::path& database) {
   std::map<std::string, json> all;
   for (const fs::path& job : job_directories(database))
-    all[job.filename()] = json::parse(read_file(job / "result.json")).at("analysis");
+    all[job.filename()] = {{"analysis", json::parse(read_file(job / "result.json")).at("analysis")},
+                           {"history", read_file(job / "history.csv")},
+                           {"looks", read_file(job / "remnants.csv")}};
   return all;
 }
 

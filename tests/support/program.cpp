@@ -103,7 +103,7 @@ void write_sweep(const fs::path& folder, double end_time_s, const std::string& g
                  const nlohmann::json& numerics) {
   using nlohmann::json;
   const json scene = {{"numerics", numerics},
-                      {"output", {{"history_interval_s", 5000}, {"checkpoint_interval_s", 0.03}}},
+                      {"output", {{"history_interval_s", 100}, {"checkpoint_interval_s", 0.03}}},
                       {"end", {{"time_s", end_time_s}}}};
   const json sweep = {{"name", "small"}, {"scene", scene}, {"grid", json::parse(grid)}};
   install_text(folder / "sweep.json", sweep.dump());

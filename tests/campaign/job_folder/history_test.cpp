@@ -11,15 +11,15 @@ namespace {
 
 TEST(History, GoesOnWhereAnEarlierAttemptStopped) {
   const test::TemporaryFolder folder;
-  const remnants::Analysis analysis = test::sample_analysis();
+  const auto found = test::sample_analysis().remnants;
   {
     History first(folder / "history.csv");
-    for (const double time : {500.0, 1000.0, 1500.0}) first.add({history_row(time, analysis)});
+    for (const double time : {500.0, 1000.0, 1500.0}) first.add({history_row(time, found)});
   }
   // The checkpoint was older than the last row: the run comes by 1500 s once more.
   History second(folder / "history.csv");
-  second.add({history_row(1500, analysis)});
-  HistoryRow last = history_row(2000, analysis);
+  second.add({history_row(1500, found)});
+  HistoryRow last = history_row(2000, found);
   double number = 0.1;  // every column of its own
   visit_columns(last, [&](const char*, auto& value) {
     if constexpr (std::is_same_v<decltype(value), double&>)
@@ -43,11 +43,42 @@ TEST(History, LeavesOutALineThatWasCutOff) {
   const test::TemporaryFolder folder;
   History history(folder / "history.csv");
   for (const double time : {500.0, 1000.0})
-    history.add({history_row(time, test::sample_analysis())});
+    history.add({history_row(time, test::sample_analysis().remnants)});
   const std::string text = read_file(folder / "history.csv");
   install_text(folder / "torn.csv", text.substr(0, text.size() - 20));
   EXPECT_EQ(read_history(folder / "torn.csv").size(), 1u);
+  // Its last number may be another one with a digit less: only a whole line counts.
+  install_text(folder / "torn.csv", text.substr(0, text.size() - 1));
+  EXPECT_EQ(read_history(folder / "torn.csv").size(), 1u);
   EXPECT_TRUE(read_history(folder / "missing.csv").empty());
+}
+
+TEST(History, GoesOnBehindALineThatWasCutOff) {
+  const test::TemporaryFolder folder;
+  const auto found = test::sample_analysis().remnants;
+  {
+    History first(folder / "history.csv");
+    for (const double time : {500.0, 1000.0}) first.add({history_row(time, found)});
+  }
+  const std::string whole = read_file(folder / "history.csv");
+  install_text(folder / "history.csv", whole.substr(0, whole.size() - 20));
+  History second(folder / "history.csv");
+  second.add({history_row(1000, found)});
+  EXPECT_EQ(read_file(folder / "history.csv"), whole);
+}
+
+TEST(History, SaysThatAFileIsGoneToWhichItWasAdding) {
+  const test::TemporaryFolder folder;
+  const auto found = test::sample_analysis().remnants;
+  History history(folder / "history.csv");
+  history.flush();  // nothing yet
+  history.add({history_row(500, found)});
+  history.flush();
+  std::filesystem::remove(folder / "history.csv");
+  EXPECT_THROW(history.add({history_row(1000, found)}), EnvironmentError);
+  // Tried again, all rows are there.
+  history.add({history_row(1000, found)});
+  EXPECT_EQ(read_history(folder / "history.csv").size(), 2u);
 }
 
 TEST(History, KeepsEachRemnantOfOneMomentWithTheSameBits) {
