@@ -13,11 +13,13 @@ import sqlite3
 import statistics
 import subprocess
 import sys
+import tempfile
 
 PAGE = pathlib.Path(__file__).with_name("README.md")
 SERIES = [("40 deg, coarse and fine grid (Figs. 2a, 2b)", "1", "40"), ("50 deg (Fig. 4)", "1", "50"), ("30 deg", "1", "30"),
           ("mass ratio 0.5 (Fig. 6)", "0.5", "50"), ("mass ratio 0.25", "0.25", "50")]
-COLUMNS = "hash,q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,fidelity,settings,settled,b_over_a,m_lr_over_m_total,particles_per_target"
+COLUMNS = "hash,q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,seed,fidelity,settings,settled,b_over_a,m_lr_over_m_total,particles_per_target,scheme"
+PAPERS_SCHEME = "libersky-petschek-2018"
 
 
 def said(*arguments):
@@ -33,10 +35,14 @@ def short(number):
     return f"{float(number):g}"
 
 
+def place_of(run):
+    return tuple(short(run[k]) for k in ("q", "phi_d_deg", "v_imp_cm_per_s", "theta_imp_deg"))
+
+
 def impacts(runs):
     found = collections.defaultdict(list)
     for r in runs:
-        found[tuple(short(r[k]) for k in ("q", "phi_d_deg", "v_imp_cm_per_s", "theta_imp_deg"))].append(r)
+        found[place_of(r)].append(r)
     return found
 
 
@@ -66,14 +72,67 @@ def statements(report):
             table(["the paper", "verdict", "here"], rows))
 
 
-def fine(runs, standard):
+def second_look(runs, standard):
+    """Impacts that were run by more than the standard."""
+    def text(some):
+        if not some:
+            return ""
+        ratios = [float(r["b_over_a"]) for r in some if r["b_over_a"]]
+        spread = f" ± {statistics.stdev(ratios):.2f}" if len(ratios) > 2 else ""
+        mass = statistics.mean(float(r["m_lr_over_m_total"]) for r in some)
+        return f"{statistics.mean(ratios):.2f}{spread} ({mass:.2f}), {len(some)}"
+
+    kinds = [*(impacts(r for r in runs if r["particles_per_target"] == n and r["is_plain"]) for n in ("20000", "50000")),
+             impacts(r for r in runs if r["scheme"] == PAPERS_SCHEME)]
+    places = sorted(set().union(*kinds), key=lambda place: [-float(place[0]), *map(float, place[1:])])
+    rows = [["{}, {} deg, {} cm/s, {} deg".format(*place), text(standard[place]), *(text(kind.get(place)) for kind in kinds)]
+            for place in places]
+    return table(["impact: q, friction, speed, angle", "5,000 particles", "20,000", "50,000", "the paper's scheme, 5,000"], rows)
+
+
+def ridge_of_first_seeds(eerie, database, phi, seeds):
+    """The ridge had each impact been run with so many seeds at most."""
+    with tempfile.TemporaryDirectory() as folder:
+        part = pathlib.Path(folder) / "part.sqlite"
+        with sqlite3.connect(f"file:{database}?mode=ro", uri=True) as whole, sqlite3.connect(part) as copy:
+            whole.backup(copy)
+        with sqlite3.connect(part) as copy:
+            later = "WHERE job_id IN (SELECT id FROM jobs WHERE seed > ?)"
+            for results in ("job_remnants", "job_results"):
+                copy.execute(f"DELETE FROM {results} {later}", [seeds])
+        found = json.loads(said(eerie, "threshold", "--db", part, "--settings", "1", "--q", "1", "--phi-d", phi, "--json"))
+        return "{v_sin_theta_cm_per_s:.2f} ({low_cm_per_s:.2f} to {high_cm_per_s:.2f})".format(**found["ridges"][0])
+
+
+def certainty(eerie, database, runs, standard):
+    """What core-time bought which answer."""
     rows = []
-    for place, some in impacts(r for r in runs if r["fidelity"] == "fine").items():
-        text = lambda all: "{:.2f} ({:.2f}), {}".format(
-            statistics.mean(float(r["b_over_a"]) for r in all if r["b_over_a"]),
-            statistics.mean(float(r["m_lr_over_m_total"]) for r in all), len(all))
-        rows.append(["{}, {} deg, {} cm/s, {} deg".format(*place), text(standard[place]), text(some)])
-    return table(["impact: q, friction, speed, angle", "5,000 particles", "20,000"], rows)
+    for phi, surveys in (("40", ["259 surveys of 1,000 particles", "0.96 h", "4.77 (4.57 to 4.99)"]),
+                         ("50", ["120 surveys of 1,000 particles", "0.66 h", "6.26 (5.83 to 6.89)"])):
+        question = f"v sin(theta) of the ridge of {phi} deg, cm/s (95 %)"
+        rows.append([question, *surveys])
+        cells = [v for k, v in standard.items() if k[:2] == ("1", phi)]
+        for seeds, name in ((1, "one seed of {n} impacts at 5,000"), (1000, "{n} runs of them, more where it is in doubt")):
+            some = [r for v in cells for r in v if int(r["seed"]) <= seeds]
+            rows.append([question, name.format(n=len(some)), f"{sum(r['core_s'] for r in some) / 3600:.2f} h",
+                         ridge_of_first_seeds(eerie, database, phi, seeds)])
+    study = list(csv.DictReader((PAGE.parent.parent / "notebook/convergence/default-runs.csv").open()))
+    for question, case, place in (("b/a of the reference impact", "A", ("1", "40", "20", "15")),
+                                  ("b/a of the unequal pair", "D", ("0.5", "50", "25", "20"))):
+        def add(particles, ratios, seconds):
+            spread = f" ± {statistics.stdev(ratios):.3f}" if len(ratios) > 1 else ""
+            runs_of = f"{len(ratios)} runs of {particles:,} particles" if len(ratios) > 1 else f"a run of {particles:,} particles"
+            rows.append([question, runs_of, f"{statistics.mean(seconds):.0f} s each", f"{statistics.mean(ratios):.3f}{spread}"])
+        coarse = [r for r in study if r["case"] == case and r["particles_per_target"] == "1000"]
+        add(1000, [float(r["b_over_a_1"]) for r in coarse], [float(r["core_s"]) for r in coarse])
+        for particles in (5000, 20000, 50000):
+            some = [r for r in runs if r["particles_per_target"] == str(particles) and place_of(r) == place and r["is_plain"]]
+            if some:
+                add(particles, [float(r["b_over_a"]) for r in some], [r["core_s"] for r in some])
+    for before, row in zip(rows[-2::-1], rows[:0:-1]):  # a question stands once
+        if row[0] == before[0]:
+            row[0] = ""
+    return table(["question", "what was run", "core time", "answer"], rows)
 
 
 def bill(runs, standard):
@@ -102,11 +161,14 @@ def main():
         spent = dict(connection.execute("SELECT hash, total(core_seconds) FROM attempts a JOIN jobs j ON j.id = a.job_id GROUP BY hash"))
     for r in runs:
         r["core_s"] = spent[r["hash"]]
+        # Stiffer bodies and runs with another end have 5,000 particles and settings of their own.
+        r["is_plain"] = r["scheme"] == "closing-gaps" and (r["settings"] == "1" or r["particles_per_target"] != "5000")
     standard = impacts(r for r in runs if r["settings"] == "1")
     blocks = {
         "ridges": ridges(json.loads(said(eerie, "threshold", *of, "--settings", "1", "--json"))["ridges"], standard),
         "statements": statements(json.loads(said(eerie, "check", *of, "--json"))),
-        "fine": fine(runs, standard),
+        "second look": second_look(runs, standard),
+        "certainty": certainty(eerie, database, runs, standard),
         "bill": bill(runs, standard),
     }
     page = PAGE.read_text()

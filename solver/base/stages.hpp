@@ -7,7 +7,8 @@
 
 namespace eerie {
 
-/// The named stages of a step, in the order in which they run. Timing, printing and result files
+/// The named stages of a step, in the order in which they run, and what comes between steps:
+/// output, and looks at the remnants with what they lead to (flights). Timing, printing and result files
 /// all use this one table.
 enum class Stage : std::size_t {
   integrate,
@@ -17,11 +18,12 @@ enum class Stage : std::size_t {
   pairs,
   gravity,
   output,
+  looks,
   count
 };
 inline constexpr std::size_t stage_count = static_cast<std::size_t>(Stage::count);
 inline constexpr std::array<std::string_view, stage_count> stage_names = {
-    "integrate", "reorder", "neighbours", "material", "pairs", "gravity", "output"};
+    "integrate", "reorder", "neighbours", "material", "pairs", "gravity", "output", "looks"};
 
 /// The wall time spent in each stage, s.
 struct StageTimes {

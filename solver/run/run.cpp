@@ -95,10 +95,11 @@ class Ending {
 
 class Run {
  public:
-  Run(const Scene& scene, const RunOptions& options, Beginning beginning)
+  Run(const Scene& scene, const RunOptions& options, Clock::time_point start, Beginning beginning)
       : scene_(scene),
         options_(options),
         first_totals_(beginning.first),
+        start_(start),
         solver_(std::move(beginning.solver)),
         snapshots_(scene.output.snapshot_interval_s, solver_.state().time),
         histories_(scene.output.history_interval_s, solver_.state().time),
@@ -157,10 +158,8 @@ class Run {
     if (looks_.pass(solver_.state().time) && options_.look) {
       const bool may_soften = softest_sound_speed(scene_) < 1 && !solver_.state().softening.is_calm;
       const LookQuestion question{may_soften, next_stop()};
-      const io::Snapshot seen = snapshot();
-      LookAnswer answer = options_.look(seen, question);
-      if (!depends_on_end_ && options_.end_matters && options_.end_matters(seen, question))
-        keep_before_end();
+      auto [answer, end_matters] = looked(question);
+      if (end_matters) keep_before_end();
       if (std::holds_alternative<End>(answer)) return EndReason::settled;
       if (auto* soften = std::get_if<Soften>(&answer)) go_on_softer(soften->to);
       if (auto* fly = std::get_if<Fly>(&answer)) land(std::move(fly->landing));
@@ -171,6 +170,18 @@ class Run {
     const auto reason = ending_.reason(now, [this] { return snapshot(); });
     if (!reason) goal_ = ending_.next(now);
     return reason;
+  }
+
+  struct Looked {
+    LookAnswer answer;
+    bool end_matters;  ///< and nothing was kept yet of the state before
+  };
+  Looked looked(const LookQuestion& question) {
+    const StageTimer timer(solver_.stages(), Stage::looks);
+    const io::Snapshot seen = snapshot();
+    LookAnswer answer = options_.look(seen, question);
+    return {std::move(answer),
+            !depends_on_end_ && options_.end_matters && options_.end_matters(seen, question)};
   }
 
   /// Of a run that had ended, and was killed before its result was noted.
@@ -301,7 +312,8 @@ class Run {
   const Scene& scene_;
   const RunOptions& options_;
   step::Totals first_totals_;
-  Clock::time_point start_ = Clock::now(), last_checkpoint_ = start_;
+  Clock::time_point start_;  ///< before bodies were made
+  Clock::time_point last_checkpoint_ = Clock::now();
   step::Solver solver_;
   Schedule snapshots_, histories_, looks_;
   io::Snapshot last_good_;  ///< a checkpoint of the last history row
@@ -338,10 +350,11 @@ RunSummary summary_of(NotBegun stopped, const Scene& scene, const RunOptions& op
 RunSummary run_impact(const Scene& scene, const RunOptions& options) {
   omp_set_num_threads(options.threads);
   make_folders(options.directory);
+  const Clock::time_point start = Clock::now();
   auto beginning = begin(scene, options);
   if (auto* stopped = std::get_if<NotBegun>(&beginning))
     return summary_of(std::move(*stopped), scene, options);
-  return Run(scene, options, std::get<Beginning>(std::move(beginning))).go();
+  return Run(scene, options, start, std::get<Beginning>(std::move(beginning))).go();
 }
 
 }  // namespace eerie::run
