@@ -6,6 +6,7 @@
 
 #include "analysis/paper/check_runs.hpp"
 #include "analysis/paper/fact_trial.hpp"
+#include "analysis/paper/finest_runs.hpp"
 
 namespace eerie::paper {
 
@@ -13,7 +14,24 @@ std::string_view name(Agreement agreement) {
   return agreement_names.at(static_cast<std::size_t>(agreement));
 }
 
+namespace {
+
+FactCheck check_grid(const Fact& fact, const std::vector<ImpactRun>& runs,
+                     const std::string& database) {
+  std::optional<FactCheck> first;  // of the settings with the most impacts
+  for (const RunSettings& base : by_coverage(fact, runs)) {
+    const std::vector<ImpactRun> counting = finest_runs(fact, runs, base);
+    const FactCheck found = Trial(fact, counting, base, database).finding();
+    if (found.agreement != Agreement::not_enough) return found;
+    if (!first) first = found;
+  }
+  return first ? *first : Trial(fact, runs, {}, database).finding();
+}
+
+}  // namespace
+
 FactCheck check(const Fact& fact, const std::vector<ImpactRun>& runs, const std::string& database) {
+  if (is_on_grid(fact)) return check_grid(fact, runs, database);
   std::set<RunSettings> kinds;  // the most particles last
   for (const ImpactRun& run : runs)
     if (std::abs(run.q - fact.q) <= same_q &&

@@ -39,15 +39,17 @@ struct FactCheck {
   RunSettings settings;               ///< settings of the runs that it uses
   std::size_t runs = 0, impacts = 0;  ///< the runs that it uses, and their points
   std::size_t impacts_wanted = 0;     ///< the points that the paper speaks of
+  std::size_t finer = 0;              ///< points that count by runs finer than `settings`
   std::size_t split = 0;              ///< points whose seeds disagree
   std::size_t unsettled = 0;  ///< runs whose remnants will meet again; they count like others
   std::string to_run;         ///< command that would decide it; empty where it is decided
 };
 
-/// Tests a fact. Runs of different settings are never mixed. Among the settings that decide the
-/// fact, those with the most particles count; where none decide, those with the most impacts.
-/// `database` goes into the command of to_run. `runs` may contain runs that do not concern the
-/// fact.
+/// Tests a fact. On one impact, and on a ridge, runs of different settings are never mixed. Among
+/// the settings that decide the fact, those with the most particles count; where none decide, those
+/// with the most impacts. A statement on a grid takes the settings with the most impacts, and each
+/// impact by its finest runs (finest_runs.hpp). `database` goes into the command of to_run. `runs`
+/// may contain runs that do not concern the fact.
 ///
 /// An impact has a property when at least half of its runs have it. A number agrees when the mean
 /// of the runs is within the tolerance, and its standard error is, too. It disagrees when one more

@@ -59,8 +59,9 @@ const CheckCell& Trial::only() const { return cells_.front(); }
 
 void Trial::rest_on(const std::vector<CheckCell>& cells) {
   f_.impacts_wanted = cells.size();
-  f_.runs = f_.impacts = f_.unsettled = 0;
+  f_.runs = f_.impacts = f_.unsettled = f_.finer = 0;
   for (const CheckCell& cell : cells) {
+    if (!cell.runs.empty() && cell.runs.front()->settings != settings_) ++f_.finer;
     f_.runs += cell.runs.size(), f_.impacts += cell.runs.empty() ? 0 : 1;
     f_.unsettled += cell.count([](const ImpactRun& run) { return !run.settled; });
   }
@@ -72,8 +73,9 @@ std::size_t Trial::count_cells(const CheckCell::Condition& condition) const {
 }
 
 void Trial::ask_for_seeds(const CheckCell& cell) {
+  const RunSettings& settings = cell.runs.empty() ? settings_ : cell.runs.front()->settings;
   f_.to_run =
-      run_point(fact_, cell.at, std::max(first_seeds, 2 * cell.runs.size()), settings_, database_);
+      run_point(fact_, cell.at, std::max(first_seeds, 2 * cell.runs.size()), settings, database_);
 }
 
 std::string Trial::one_seed_more() const {

@@ -72,7 +72,12 @@ void Trial::operator()(const NumberIs& claim) {
   if (claim.smaller && s.runs < only().runs.size())
     f_.found += fmt::format("{}{} of {} runs have such a remnant", s.runs > 0 ? "; " : "", s.runs,
                             only().runs.size());
-  if (s.runs < check_min_runs) return;
+  if (s.runs < check_min_runs) {
+    if (!claim.smaller || only().runs.size() < check_min_runs) return;
+    f_.agreement = Agreement::undecided;
+    f_.difference = s.runs == 0 ? "no run forms it" : "chance between seeds forms it or not";
+    return;
+  }
   const auto n = static_cast<double>(s.runs);
   const double tolerance = check_tolerance * claim.value;
   const double away = std::abs(s.mean - claim.value);

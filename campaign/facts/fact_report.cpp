@@ -22,6 +22,7 @@ std::string rests_on(const paper::FactCheck& f) {
   std::string text =
       fmt::format("{} particles ({}), {} runs, {}/{} impacts", f.settings.particles_per_target,
                   f.settings.name, f.runs, f.impacts, f.impacts_wanted);
+  if (f.finer > 0) text += fmt::format(", {} of them by finer runs", f.finer);
   if (f.split > 0) text += fmt::format(", {} split", f.split);
   if (f.unsettled > 0) text += fmt::format(", {} unsettled", f.unsettled);
   return text;
@@ -76,6 +77,7 @@ Fields data_fields() {
           of("runs", &paper::FactCheck::runs),
           of("impacts", &paper::FactCheck::impacts),
           of("impacts_wanted", &paper::FactCheck::impacts_wanted),
+          of("finer", &paper::FactCheck::finer),
           of("split", &paper::FactCheck::split),
           of("unsettled", &paper::FactCheck::unsettled),
           of("to_run", &paper::FactCheck::to_run)};

@@ -100,7 +100,10 @@ TEST(Check, FindsNumbersOfASmallerElongatedRemnant) {
   std::vector<ImpactRun> runs = seeds_with({0.6, 0.6, 0.6});
   for (ImpactRun& run : runs) run.v_imp_cm_per_s = 24;
   EXPECT_EQ(verdict("phi40-third", runs), disagrees);
-  EXPECT_EQ(verdict("phi40-third-mass", runs), not_enough);
+  // There are runs enough, and nothing to measure in them.
+  EXPECT_EQ(verdict("phi40-third-mass", runs), undecided);
+  EXPECT_EQ(checked("phi40-third-mass", runs).difference, "no run forms it");
+  EXPECT_EQ(verdict("phi40-third-mass", {runs[0], runs[1]}), not_enough);
   for (ImpactRun& run : runs) {
     run.remnants.push_back({2, 0.2, 100, 60, 0.6, false});
     run.remnants.push_back({3, 0.12, 90, 24, 0.27, true});  // 0.24 target masses
@@ -143,6 +146,51 @@ TEST(Check, BelievesThatThereIsNoneOnlyOfAWholeGrid) {
   const FactCheck split = checked("phi30-none", runs);
   EXPECT_EQ(split.agreement, agrees);
   EXPECT_EQ(split.split, 1u);
+}
+
+/// A whole grid of surveys without an EER, and what is added at its last impact.
+std::vector<ImpactRun> surveys_and(int added, const RunSettings& settings, double b_over_a) {
+  std::vector<ImpactRun> runs =
+      runs_of(fact_named("phi30-none"), [](const ImpactPoint&) { return run_with(0.5); });
+  ImpactRun more = runs.back();
+  more.settings = settings;
+  more.remnants[0].b_over_a = b_over_a, more.remnants[0].eer = b_over_a < 0.3;
+  runs.insert(runs.end(), static_cast<std::size_t>(added), more);
+  return runs;
+}
+const RunSettings standard{5000, "standard", "standard"};
+
+TEST(Check, TakesEachImpactOfAGridByItsFinestRuns) {
+  const FactCheck f = checked("phi30-none", surveys_and(3, standard, 0.2));
+  EXPECT_EQ(f.agreement, disagrees);
+  EXPECT_EQ(f.settings.name, "survey");
+  EXPECT_EQ(f.impacts, 40u);
+  EXPECT_EQ(f.runs, 42u);
+  EXPECT_EQ(f.finer, 1u);
+  EXPECT_EQ(f.difference, "v = 35 cm/s, theta = 20 deg (3 of 3)");
+  // One of each: the finer one counts, and more of its kind are asked for.
+  const FactCheck one = checked("phi30-none", surveys_and(1, standard, 0.2));
+  EXPECT_EQ(one.agreement, undecided);
+  EXPECT_THAT(one.to_run, HasSubstr("--fidelity standard"));
+  // The whole grid by finer runs needs no surveys.
+  std::vector<ImpactRun> whole = surveys_and(0, standard, 0.5);
+  for (ImpactRun run : surveys_and(0, standard, 0.5)) run.settings = standard, whole.push_back(run);
+  EXPECT_EQ(checked("phi30-none", whole).settings.name, "standard");
+  EXPECT_EQ(checked("phi30-none", whole).finer, 0u);
+}
+
+TEST(Check, LetsOneFinerRunOfAnImpactNotOutweighThreeCoarser) {
+  std::vector<ImpactRun> runs = surveys_and(1, standard, 0.2);
+  runs.insert(runs.end(), 2, runs[39]);
+  EXPECT_EQ(verdict("phi30-none", runs), agrees);
+}
+
+TEST(Check, MixesNoRunsByAnotherSchemeOrOfStifferBodiesIntoAGrid) {
+  EXPECT_EQ(verdict("phi30-none", surveys_and(3, {50000, "paper", "paper"}, 0.2)), agrees);
+  EXPECT_EQ(verdict("phi30-none", surveys_and(3, {20000, "closing-voids", ""}, 0.2)), agrees);
+  std::vector<ImpactRun> stiff = surveys_and(3, standard, 0.2);
+  for (std::size_t k = 40; k < 43; ++k) stiff[k].stiffness = 10;
+  EXPECT_EQ(verdict("phi30-none", stiff), agrees);
 }
 
 TEST(Check, HoldsElongatedRemnantsToTheirBounds) {
