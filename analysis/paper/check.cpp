@@ -21,7 +21,7 @@ FactCheck check_grid(const Fact& fact, const std::vector<ImpactRun>& runs,
   std::optional<FactCheck> first;  // of the settings with the most impacts
   for (const RunSettings& base : by_coverage(fact, runs)) {
     const std::vector<ImpactRun> counting = finest_runs(fact, runs, base);
-    const FactCheck found = Trial(fact, counting, base, database).finding();
+    FactCheck found = Trial(fact, counting, base, database).finding();
     if (found.agreement != Agreement::not_enough) return found;
     if (!first) first = found;
   }

@@ -1,6 +1,7 @@
 #include "analysis/paper/finest_runs.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -51,9 +52,11 @@ std::vector<RunSettings> by_coverage(const Fact& fact, const std::vector<ImpactR
   for (const CheckCell& cell : check_cells(points_of(fact.grids), fact, runs))
     for (const auto& [settings, some] : by_kind(cell)) ++impacts[settings];
   std::vector<std::pair<std::size_t, RunSettings>> order;
+  order.reserve(impacts.size());
   for (const auto& [settings, count] : impacts) order.emplace_back(count, settings);
   std::ranges::sort(order, std::greater{});
   std::vector<RunSettings> all;
+  all.reserve(order.size());
   for (auto& [count, settings] : order) all.push_back(std::move(settings));
   return all;
 }
