@@ -66,9 +66,9 @@ def ridges(fits, standard):
 
 
 def statements(report):
-    counts = ", ".join(f"{n} {verdict}" for verdict, n in report["counts"].items())
+    counts = ", ".join(f"{n} {verdict}" for verdict, n in report["counts"].items() if n > 0)
     rows = [[f["statement"], f["verdict"], f["found"]] for f in report["facts"] if f["verdict"] != "not enough data"]
-    return (f"{len(report['facts'])} statements: {counts}. Those that are decided, or undecided for a reason other than missing runs:\n\n" +
+    return (f"{len(report['facts'])} statements: {counts}. Those that do not lack runs:\n\n" +
             table(["the paper", "verdict", "here"], rows))
 
 
