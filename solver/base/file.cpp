@@ -158,15 +158,8 @@ void append_text(const fs::path& path, std::string_view text) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (fd < 0) fail("open", path);
   const off_t end = ::lseek(fd, 0, SEEK_END);
-  std::size_t written = 0;
-  while (written < text.size()) {
-    const ssize_t n = ::write(fd, text.data() + written, text.size() - written);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) break;
-    written += static_cast<std::size_t>(n);
-  }
+  const bool whole = write_all(fd, text) == text.size();
   const int reason = errno;
-  const bool whole = written == text.size();
   // Where even this fails a part of a line stays, which readers leave out.
   if (!whole && end >= 0) std::ignore = ::ftruncate(fd, end);
   ::close(fd);

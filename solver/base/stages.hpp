@@ -8,8 +8,8 @@
 namespace eerie {
 
 /// The named stages of a step, in the order in which they run, and what comes between steps:
-/// output, and looks at the remnants with what they lead to (flights). Timing, printing and result files
-/// all use this one table.
+/// output, and looks at the remnants with what they lead to (flights). Timing, printing and result
+/// files all use this one table.
 enum class Stage : std::size_t {
   integrate,
   reorder,

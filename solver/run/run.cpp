@@ -132,9 +132,9 @@ class Run {
     {
       const StageTimer timer(solver_.stages(), Stage::output);
       if (end == RunEnd::finished)
-        keep_final_state();
+        io::write_snapshot(options_.directory / final_file, lasting_checkpoint());
       else
-        keep_checkpoint();
+        install_checkpoint(options_.directory, lasting_checkpoint());
     }
     RunSummary summary;
     summary.end = end;
@@ -280,19 +280,15 @@ class Run {
       if (options_.on_history) options_.on_history(snapshot(), first_totals_);
     }
     if (seconds_since(last_checkpoint_) >= scene_.output.checkpoint_interval_s) {
-      keep_checkpoint();
+      install_checkpoint(options_.directory, lasting_checkpoint());
       last_checkpoint_ = Clock::now();
     }
   }
 
-  void keep_checkpoint() const {
+  /// One whose caller has flushed what belongs to it.
+  io::Snapshot lasting_checkpoint() const {
     if (options_.before_checkpoint) options_.before_checkpoint();
-    install_checkpoint(options_.directory, checkpoint());
-  }
-
-  void keep_final_state() const {
-    if (options_.before_checkpoint) options_.before_checkpoint();
-    io::write_snapshot(options_.directory / final_file, checkpoint());
+    return checkpoint();
   }
 
   io::Snapshot snapshot() const { return {scene_, solver_.state(), solver_.pressure(), {}, {}}; }

@@ -57,16 +57,18 @@ int open_stream(const fs::path& stream) {
   return ::open(stream.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
 }
 
-void write_all(int descriptor, std::string_view bytes, const fs::path& stream) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail("write", stream, errno);
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
-
 }  // namespace
+
+std::size_t write_all(int descriptor, std::string_view bytes) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t written = ::write(descriptor, bytes.data() + done, bytes.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) break;
+    done += static_cast<std::size_t>(written);
+  }
+  return done;
+}
 
 Destination destination_of(const fs::path& path) {
   constexpr int most_links = 40;  // as the kernel
@@ -87,7 +89,7 @@ void pour(const fs::path& from, const fs::path& stream) {
   std::fflush(stdout);  // it may be the same stream, and came first
   const Descriptor to(open_stream(stream));
   if (to.number() < 0) fail("open", stream, errno);
-  write_all(to.number(), bytes, stream);
+  if (write_all(to.number(), bytes) < bytes.size()) fail("write", stream, errno);
 }
 
 }  // namespace eerie

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace eerie {
 
@@ -14,6 +15,9 @@ struct Destination {
 /// Follows symbolic links to the file that a user means. Throws EnvironmentError for a folder and
 /// for links that lead in a circle.
 Destination destination_of(const std::filesystem::path& path);
+
+/// Writes all bytes to a descriptor. Returns how many it could write; errno says why not all.
+std::size_t write_all(int descriptor, std::string_view bytes);
 
 /// Writes the bytes of the file `from` into a stream. Throws EnvironmentError.
 void pour(const std::filesystem::path& from, const std::filesystem::path& stream);
