@@ -1,18 +1,59 @@
 #include "analysis/drawing/impact_words.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
 #include "analysis/drawing/grouped.hpp"
-#include "solver/scene/two_materials.hpp"
 
 namespace eerie::drawing {
+using nlohmann::json;
+
+namespace {
+
+/// Fields that a title already has, and those of numerics, for which it has the scheme.
+bool is_told(std::string_view field) {
+  constexpr std::array groups{"/material/", "/target/", "/impactor/", "/environment/"};
+  return field == "/material/drucker_prager/phi_d_deg" ||
+         std::ranges::none_of(groups, [&](const char* group) { return field.starts_with(group); });
+}
+
+/// "; material.tillotson.A_Pa=267000": what of bodies, matter and surroundings is not as by
+/// default, by the names that --set takes; two fields at most.
+std::string unlike_default(const Scene& scene) {
+  constexpr std::size_t most_fields = 2;
+  const json plain = to_json(parse_scene({{"impact",
+                                           {{"q", scene.impact.q},
+                                            {"v_imp_cm_per_s", scene.impact.v_imp_cm_per_s},
+                                            {"theta_imp_deg", scene.impact.theta_imp_deg}}}}))
+                         .flatten();
+  const json fields = to_json(scene).flatten();
+  std::string text;
+  std::size_t found = 0;
+  for (const auto& [field, value] : fields.items()) {
+    if (is_told(field) || plain.value(field, json()) == value || ++found > most_fields) continue;
+    std::string name = field.substr(1);
+    std::ranges::replace(name, '/', '.');
+    text += fmt::format("{}{}={}", found == 1 ? "; " : ", ", name,
+                        value.is_number()   ? fmt::format("{:g}", value.get<double>())
+                        : value.is_string() ? value.get<std::string>()
+                                            : value.dump());
+  }
+  if (found > most_fields) text += fmt::format(" and {} more", found - most_fields);
+  return text;
+}
+
+}  // namespace
 
 Quoted impact_words(const Scene& scene) {
-  const std::string impactor = has_two_materials(scene) ? " (impactor unlike)" : "";
   return marked_up(
-      "q = {:g}, φ_d\u00a0= {:g}°{}, {:g} cm/s, {:g}°; {} particles per target, {}, seed {}",
-      scene.impact.q, scene.material.drucker_prager.phi_d_deg, in_quotes(impactor),
-      scene.impact.v_imp_cm_per_s, scene.impact.theta_imp_deg,
-      in_quotes(grouped(scene.numerics.particles_per_target)), in_quotes(scene.numerics.scheme),
-      scene.numerics.seed);
+      "q = {:g}, φ_d\u00a0= {:g}°, {:g} cm/s, {:g}°; {} particles per target, {}, seed {}{}",
+      scene.impact.q, scene.material.drucker_prager.phi_d_deg, scene.impact.v_imp_cm_per_s,
+      scene.impact.theta_imp_deg, in_quotes(grouped(scene.numerics.particles_per_target)),
+      in_quotes(scene.numerics.scheme), scene.numerics.seed, in_quotes(unlike_default(scene)));
 }
 
 }  // namespace eerie::drawing
