@@ -82,10 +82,28 @@ NextStep longer(const TypedRun& run, const sweeps::Plan& plan,
           command_of(run, change)};
 }
 
+/// Results of a sweep that it does not ask for are impacts that were let go on: they have the later
+/// end, and what they went on from needs no other.
+std::vector<ResultRow> not_gone_on(const std::vector<ResultRow>& results,
+                                   const sweeps::Plan& plan) {
+  const auto impact = [](const ResultRow& r) {
+    return std::tuple(r.q, r.phi_d_deg, r.v_imp_cm_per_s, r.theta_imp_deg, r.particles_per_target,
+                      r.seed);
+  };
+  std::set<std::string> planned;
+  for (const db::NewJob& job : plan.jobs) planned.insert(job.hash);
+  std::set<decltype(impact(results.front()))> gone_on;
+  for (const ResultRow& row : results)
+    if (!planned.contains(row.hash)) gone_on.insert(impact(row));
+  std::vector<ResultRow> left = results;
+  std::erase_if(left, [&](const ResultRow& row) { return gone_on.contains(impact(row)); });
+  return left;
+}
+
 void add_longer(std::vector<NextStep>& steps, const TypedRun& run, const sweeps::Plan& plan,
                 const std::vector<ResultRow>& results, const job_folder::JobFolder& jobs) {
   std::vector<ResultRow> can_go_on, others;
-  for (const ResultRow& row : results)
+  for (const ResultRow& row : not_gone_on(results, plan))
     if (!row.result.settled)
       (job_folder::may_be_extended(jobs.of(row.hash)) ? can_go_on : others).push_back(row);
   steps.push_back(extended(run, plan, can_go_on));

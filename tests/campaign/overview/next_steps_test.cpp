@@ -31,9 +31,16 @@ class NextSteps : public testing::Test {
  protected:
   NextSteps() { install_text(run.sweep, "{}"); }
 
+  /// The sweep asks for all results but those of `unasked`.
   std::vector<NextStep> steps(const json& sweep, const std::vector<db::ResultRow>& results,
-                              const manager::Tally& tally = {}) {
-    const sweeps::Plan plan = sweeps::plan(sweep, run.changes.all(), "s.json");
+                              const manager::Tally& tally = {}, const std::string& unasked = "") {
+    sweeps::Plan plan = sweeps::plan(sweep, run.changes.all(), "s.json");
+    for (const db::ResultRow& result : results) {
+      if (result.hash == unasked) continue;
+      db::NewJob job = plan.jobs.front();
+      job.hash = result.hash;
+      plan.jobs.push_back(job);
+    }
     return next_steps(run, plan, tally, results, {folder / "jobs"});
   }
   static auto command(const std::string& text) {
@@ -81,6 +88,19 @@ TEST_F(NextSteps, LetImpactsGoOnThatKeptAStateBeforeTheirEnd) {
   run.changes.fidelity.clear();
   ends["grid"]["end.time_s"] = {1e5, 2e5};
   EXPECT_THAT(steps(ends, two), command("eerie extend 01234567"));
+}
+
+TEST_F(NextSteps, LetNothingGoOnThatHasGoneOnAlready) {
+  std::vector<db::ResultRow> two = {row(20, 10, 0.5, false), row(20, 10, 0.4, false)};
+  two[1].hash = "89abcdef01234567";
+  for (const bool settles : {false, true}) {
+    two[1].result.settled = settles;
+    const auto found = steps(grid, two, {}, two[1].hash);
+    EXPECT_THAT(found, Not(command("end.time_s")));
+    EXPECT_THAT(found, Not(command("eerie extend")));
+  }
+  two.push_back(row(24, 10, 0.5, false));  // another impact has not
+  EXPECT_THAT(steps(grid, two, {}, two[1].hash), command("end.time_s"));
 }
 
 TEST_F(NextSteps, AskForTwiceTheTimeWhereNothingFlies) {
