@@ -114,6 +114,7 @@ void visit_fields(SceneType& s, Visit&& visit) {
   visit("/numerics/list_skin", s.numerics.list_skin);
   visit("/numerics/late_sound_speed", s.numerics.late_sound_speed);
   visit("/numerics/flow_mach", s.numerics.flow_mach);
+  visit("/numerics/viscous_stages", s.numerics.viscous_stages);
   visit("/numerics/rigid_flight", s.numerics.rigid_flight);
   visit("/numerics/precision", s.numerics.precision);
   visit("/end/time_s", s.end.time_s);
@@ -197,9 +198,10 @@ void leave_out_younger_fields(json& numerics) {
   leave_out("void_density", 0.0);
   leave_out("voids", "all");
   leave_out("flow_mach", 0.0);
+  leave_out("viscous_stages", 1);
   leave_out("rigid_flight", false);
   if (!has_voids) numerics.erase("voids");
-  if (!softens) numerics.erase("flow_mach");
+  if (!softens) numerics.erase("flow_mach"), numerics.erase("viscous_stages");
 }
 
 /// A sphere has no axes; tilt and node are those of an ellipsoid, or of a spin.

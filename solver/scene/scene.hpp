@@ -150,6 +150,7 @@ struct Scene {
     double list_skin;               ///< extra neighbour search radius over 2h
     double late_sound_speed;        ///< factor on sound speeds in the late phase; 1: there is none
     double flow_mach;               ///< greatest Mach number of earlier softening; 0: there is none
+    std::int64_t viscous_stages;    ///< most stages in which viscosity damps, where it lags
     bool rigid_flight;              ///< whether clumps that do not change fly as rigid bodies
     std::string precision;  ///< of the pair sums: "float" or "double"; the state is always double
   } numerics{};

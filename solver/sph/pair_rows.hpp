@@ -55,6 +55,7 @@ enum class Part {
   all,       ///< all of them
   gradient,  ///< C and G, which need positions and velocities only
   force,     ///< the force and the sums of viscosity
+  viscous,   ///< the force of viscosity alone, once more for other velocities
 };
 
 /// The shear of the neighbourhood, for viscosity that ignores shear.
@@ -125,6 +126,12 @@ class PairRows {
                        real(u.x), real(u.y), real(u.z), real(c)};
   }
 
+  /// Sets another velocity, m/s.
+  void set_velocity(std::size_t i, const Vec3& v) {
+    const Vec3 u = v - origins_[i / tree::bucket_size].v;
+    rows_.motion[i].vx = real(u.x), rows_.motion[i].vy = real(u.y), rows_.motion[i].vz = real(u.z);
+  }
+
   /// Sets the traceless strain rate e, 1/s.
   void set_shear(std::size_t i, const SymTensorf& e) requires sheared {
     const double s = h0_ / 2;
@@ -159,7 +166,7 @@ class PairRows {
       }
       add(rows_.motion[j], shift.motion, local.motion[k]);
       if constexpr (part == Part::gradient) continue;
-      add(rows_.stress[j], shift.stress, local.stress[k]);
+      if constexpr (part != Part::viscous) add(rows_.stress[j], shift.stress, local.stress[k]);
       if constexpr (sheared) local.shear[k] = rows_.shear[j];
       if constexpr (extended) local.extra[k] = rows_.extra[j];
     }

@@ -19,7 +19,7 @@ struct NeighbourSumsOf {
   /// sum V_j (T_i + T_j - q_ij 1) . grad_i W, that is rho_i dv_i/dt, Pa/m.
   std::conditional_t<std::is_same_v<T, double>, Vec3, std::array<T, 3>> force{};
   T heat{};  ///< 1/2 sum V_j q_ij v_ij . grad_i W, that is rho_i du_i/dt of viscosity, W/m^3
-  /// The part of the force that viscosity and artificial stress make, Pa/m. Only Terms::all has it.
+  /// The part of the force that viscosity makes, Pa/m; with Terms::all artificial stress too.
   std::array<T, 3> brake{};
   /// -1/6 sum V_j q_ij x_ij . grad_i W, the pressure that viscosity carries, Pa.
   T viscous_pressure{};
@@ -33,6 +33,7 @@ inline NeighbourSums lane(const PackedSums& s, std::size_t l) {
   one.C = {s.C.xx[l], s.C.yy[l], s.C.zz[l], s.C.xy[l], s.C.xz[l], s.C.yz[l]};
   for (int k = 0; k < 9; ++k) one.G[k / 3][k % 3] = s.G[k / 3][k % 3][l];
   one.force = {s.force[0][l], s.force[1][l], s.force[2][l]};
+  one.brake = {s.brake[0][l], s.brake[1][l], s.brake[2][l]};
   one.heat = s.heat[l];
   one.viscous_pressure = s.viscous_pressure[l];
   return one;
@@ -145,6 +146,7 @@ class PairSums {
     }
     for (std::size_t p = 0; p < packs; ++p) separate<part>(k, places + p * lanes<Real>, desk, p);
     for (std::size_t p = 0; p < packs; ++p) weigh<part>(k, desk, p);
+    if constexpr (part == Part::viscous) return add_thrusts(k, desk, packs);
     if constexpr (part == Part::force)
       for (std::size_t p = 0; p < packs; ++p) store_weights(desk, p);
     else
@@ -276,6 +278,16 @@ class PairSums {
     lane_sums(sums, desk.raw[k].s);
     if constexpr (extended) lane_sums(repulsion, desk.raw[k].s + Raw::repulsion);
   }
+  static void add_thrusts(std::size_t k, Desk& desk, std::size_t packs) {
+    P sums[4] = {};
+    for (std::size_t p = 0; p < packs; ++p) {
+      const Pairs& pairs = desk.pairs[p];
+      sums[0] -= pairs.thrust * pairs.dx;
+      sums[1] -= pairs.thrust * pairs.dy;
+      sums[2] -= pairs.thrust * pairs.dz;
+    }
+    lane_sums(sums, desk.raw[k].s + Raw::flux);
+  }
   static Real* weights(Desk& desk, std::size_t p) {
     return reinterpret_cast<Real*>(&desk.weights[p]);
   }
@@ -294,13 +306,22 @@ class PairSums {
   template <Part part>
   std::array<PackedSums, parts<Real>> scaled(const Desk& desk, std::size_t k) const {
     P raw[Raw::count], own[16];
-    constexpr std::size_t begin = part == Part::force ? Raw::flux : 0,
-                          end = part == Part::gradient ? Raw::flux : Raw::count;
+    constexpr std::size_t begin = part == Part::force || part == Part::viscous ? Raw::flux : 0,
+                          end = part == Part::gradient  ? Raw::flux
+                                : part == Part::viscous ? Raw::flux + 8
+                                                        : Raw::count;
     for (std::size_t at = begin; at < end; at += 8) {
       const auto eight = load_columns(desk.raw[k].s + at, rising<Real, Raw::count>.data());
       std::copy(eight.c, eight.c + 8, raw + at);
     }
     std::array<PackedSums, parts<Real>> out;
+    if constexpr (part == Part::viscous) {
+      for (std::size_t p = 0; p < parts<Real>; ++p)
+        for (std::size_t a = 0; a < 3; ++a)
+          out[p].brake[a] = (2 * scaled_mass_ * Kernel::normalisation / h_) *
+                            widened<Real>(raw[Raw::flux + a], p);
+      return out;
+    }
     if constexpr (part != Part::force) take_gradients(raw, out);
     if constexpr (part == Part::gradient) return out;
     for (std::size_t b = 0; b < 2; ++b) {
@@ -319,6 +340,8 @@ class PairSums {
                        mine[1] * gradient[1] + mine[2] * gradient[2];
         const P push = theirs[3] - mine[3] * gradient[3];
         P force = pull + real(2 * scaled_mass_) * push;
+        if constexpr (part == Part::force)
+          out[p].brake[static_cast<std::size_t>(a)] = get(push, 2 * scaled_mass_ * per_h);
         if constexpr (extended) {
           force += raw[Raw::repulsion + a];
           out[p].brake[static_cast<std::size_t>(a)] =

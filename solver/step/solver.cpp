@@ -105,7 +105,8 @@ Solver::Solver(const Scene& scene, particles::State state, particles::Rates rate
       lists_(2 * state_.h, 2 * state_.h * scene.numerics.list_skin, tree::images_of(walls_),
              scene.numerics.precision == "double" ? row_units<double> : row_units<float>),
       tree_(state_.size()),
-      pressure_(std::move(pressure)) {
+      pressure_(std::move(pressure)),
+      most_stages_(static_cast<int>(scene.numerics.viscous_stages)) {
   const std::size_t n = state_.size();
   require_walls_apart(scene.environment, lists_.support() * (1 + scene.numerics.list_skin));
   particles::resize(state_, n, fields_);
@@ -137,13 +138,15 @@ Solver::Solver(const Scene& scene, particles::State state, particles::Rates rate
 
 void Solver::cycle(double end_time) {
   find_voids();
-  dt_ = time_step();
+  const Limits limits = time_step_limits();
+  dt_ = std::min(limits.motion, limits.viscosity * (viscosity_lags() ? most_stages_.reach() : 1));
   const double left = end_time - state_.time;
   const auto steps_left = static_cast<long>(std::ceil(left / dt_ * (1 - 1e-12)));
   const long interval = steps_in_cycle();
   const double planned = dt_ * static_cast<double>(interval);
   const long steps = std::min(interval, std::max(1L, steps_left));
   if (steps_left <= interval) dt_ = left / static_cast<double>(steps);
+  choose_stages(limits.viscosity);
   for (since_gravity_ = 0; since_gravity_ < steps;) step();
   evaluate_gravity(dt_ * static_cast<double>(steps), planned);
   check_positions();
@@ -312,7 +315,7 @@ double Solver::stiffening(std::size_t i) const {
 /// dt = cfl h/(L c_l + h |div v|) with the longitudinal wave c_l^2 = c^2 + 4G/(3 rho), L the
 /// stiffening of surfaces that carry stress, 0.25 sqrt(h/|a|), and where stress is staggered what
 /// viscosity allows; a function of state and rates alone, so a restart finds the same.
-double Solver::time_step() const {
+Solver::Limits Solver::time_step_limits() const {
   // Rate of signals through h, acceleration over h, rate at which viscosity damps.
   double highest = 0, strongest = 0, thickest = 0;
   const double alpha = viscosity_of(scene_).alpha;
@@ -331,12 +334,14 @@ double Solver::time_step() const {
       thickest = std::max(thickest, alpha * c / h);
     }
   });
-  double dt = std::numeric_limits<double>::infinity();
-  if (highest > 0) dt = scene_.numerics.cfl / highest;
-  if (strongest > 0) dt = std::min(dt, acceleration_safety / std::sqrt(std::sqrt(strongest)));
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  Limits limits{unlimited, unlimited};
+  if (highest > 0) limits.motion = scene_.numerics.cfl / highest;
+  if (strongest > 0)
+    limits.motion = std::min(limits.motion, acceleration_safety / std::sqrt(std::sqrt(strongest)));
   if (is_staggered() && thickest > 0)
-    dt = std::min(dt, (viscosity_lags() ? lagging_viscous_safety : viscous_safety) / thickest);
-  return dt;
+    limits.viscosity = (viscosity_lags() ? lagging_viscous_safety : viscous_safety) / thickest;
+  return limits;
 }
 
 bool Solver::knows_gravity_rate() const {

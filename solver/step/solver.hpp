@@ -10,6 +10,7 @@
 #include "solver/scene/scene.hpp"
 #include "solver/sph/pair_sums.hpp"
 #include "solver/sph/stress.hpp"
+#include "solver/step/chebyshev_stages.hpp"
 #include "solver/step/integrator.hpp"
 #include "solver/tree/gravity.hpp"
 #include "solver/tree/kd_tree.hpp"
@@ -125,12 +126,17 @@ class Solver {
   void check_collapse(std::size_t singular) const;
   void set_middle_rows(double duration);
   bool viscosity_lags() const;
+  void choose_stages(double dt_of_one);
+  void sum_forces(double ahead);
+  void damp_in_stages();
   std::size_t go_on(std::size_t i, std::size_t count, double duration, const sph::PackedSums& sums);
   void heat_by_viscosity(double duration);
   void heat_by_strain(std::size_t i, double duration, const Strained& now);
   void heat_by_brake(std::size_t i, const Vec3& change, const sph::PackedSums& sums,
                      std::size_t lane);
   void set_forces(std::size_t i, std::size_t count, const sph::PackedSums& sums);
+  Vec3 acceleration_by_viscosity(std::size_t i, const sph::PackedSums& sums,
+                                 std::size_t lane) const;
   void grow_damage(double duration);
   void evaluate_gravity(double elapsed, double planned);
   bool knows_gravity_rate() const;
@@ -161,7 +167,11 @@ class Solver {
     return Vec3(rates_.g[i]) + age * Vec3(rates_.dg_dt[i]);
   }
   double stiffening(std::size_t i) const;
-  double time_step() const;
+  /// What limits dt, s. Viscosity allows so much where it damps in one stage.
+  struct Limits {
+    double motion, viscosity;
+  };
+  Limits time_step_limits() const;
   long steps_in_cycle() const;
 
   void expect_speeds();
@@ -192,6 +202,10 @@ class Solver {
   std::vector<double> pressure_;  ///< at the time of the rates
   /// Whether a particle has a void around it; empty without numerics.voids.
   std::vector<std::uint8_t> is_void_;
+  ChebyshevStages most_stages_;          ///< of viscosity where it lags
+  ChebyshevStages stages_of_viscosity_;  ///< of this cycle
+  /// Where there is more than one: accelerations by viscosity in the first, changes of velocity.
+  std::vector<Vec3> first_brake_, change_, other_change_;
   long since_gravity_ = 0;  ///< steps since gravity was evaluated
   double dt_ = 0;
   long list_builds_ = 0, builds_in_order_ = 0, uncorrected_ = 0;

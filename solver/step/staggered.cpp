@@ -175,16 +175,35 @@ bool step::Solver::viscosity_lags() const {
   return state_.softening.sound_speed < 1 && !state_.softening.is_calm;
 }
 
+/// The fewest stages that are stable at the dt of this cycle. One limits it to `dt_of_one`.
+void step::Solver::choose_stages(double dt_of_one) {
+  constexpr double rounding = 1e-9;
+  stages_of_viscosity_ = ChebyshevStages(1);
+  while (viscosity_lags() && stages_of_viscosity_.count() < most_stages_.count() &&
+         dt_ > stages_of_viscosity_.reach() * dt_of_one * (1 + rounding))
+    stages_of_viscosity_ = ChebyshevStages(stages_of_viscosity_.count() + 1);
+  const bool several = stages_of_viscosity_.count() > 1;
+  for (std::vector<Vec3>* one : {&first_brake_, &change_, &other_change_})
+    one->resize(several ? state_.size() : 0);
+}
+
 /// Forces of the stress, once it has returned to the yield surface of its new pressure.
 void step::Solver::exert(double ahead) {
   apply_material({.velocity = viscosity_lags() ? 0 : ahead, .stress = 0, .is_final = true});
   const StageTimer timer(stages_, Stage::pairs);
+  sum_forces(ahead);
+  if (stages_of_viscosity_.count() > 1) damp_in_stages();
+}
+
+void step::Solver::sum_forces(double ahead) {
   visit_sums([&](auto& sums) {
     sums.template sweep<sph::Part::force>(
         lists_, state_.size(), [&](std::size_t i, std::size_t count, const auto& s) {
           std::array<Vec3, lanes<double>> before;
           std::copy_n(&rates_.dv_dt[i], count, before.begin());
           set_forces(i, count, s);
+          for (std::size_t l = 0; !first_brake_.empty() && l < count; ++l)
+            first_brake_[i + l] = acceleration_by_viscosity(i + l, s, l);
           if constexpr (std::remove_cvref_t<decltype(sums)>::extended)
             if (fields_.energy)
               for (std::size_t l = 0; l < count; ++l)
@@ -193,12 +212,46 @@ void step::Solver::exert(double ahead) {
   });
 }
 
+/// Viscosity damps in several stages what one would not, at the positions of the first, while all
+/// other forces stay. The mean acceleration of the step is what pushes.
+void step::Solver::damp_in_stages() {
+  const ChebyshevStages& stages = stages_of_viscosity_;
+  const std::size_t n = state_.size();
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < n; ++i)
+    change_[i] = (stages.first() * dt_) * rates_.dv_dt[i], other_change_[i] = {};
+  for (int stage = 2; stage <= stages.count(); ++stage) {
+    const ChebyshevStages::Weights weight = stages.weights(stage);
+    visit_sums([&](auto& sums) {
+#pragma omp parallel for schedule(static)
+      for (std::size_t i = 0; i < n; ++i) sums.rows.set_velocity(i, state_.v[i] + change_[i]);
+      sums.template sweep<sph::Part::viscous>(
+          lists_, n, [&](std::size_t i, std::size_t count, const auto& s) {
+            for (std::size_t l = 0, k = i; l < count; ++l, ++k) {
+              const Vec3 rate =
+                  rates_.dv_dt[k] - first_brake_[k] + acceleration_by_viscosity(k, s, l);
+              other_change_[k] = weight.last * change_[k] + weight.before * other_change_[k] +
+                                 (weight.step * dt_) * rate;
+            }
+          });
+    });
+    std::swap(change_, other_change_);
+  }
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < n; ++i) rates_.dv_dt[i] = change_[i] / dt_;
+}
+
 /// What viscosity takes from motion is heat: its sums are over predicted velocities, and `change`
 /// is what the forces that are new make of them.
 void step::Solver::heat_by_brake(std::size_t i, const Vec3& change, const sph::PackedSums& s,
                                  std::size_t l) {
   const Vec3 brake = {s.brake[0][l], s.brake[1][l], s.brake[2][l]};
   rates_.viscous_heating[i] = (s.heat[l] - dot(brake, change)) / filling_density(state_.rho[i]);
+}
+
+Vec3 step::Solver::acceleration_by_viscosity(std::size_t i, const sph::PackedSums& s,
+                                             std::size_t l) const {
+  return Vec3{s.brake[0][l], s.brake[1][l], s.brake[2][l]} / filling_density(state_.rho[i]);
 }
 
 void step::Solver::set_forces(std::size_t i, std::size_t count, const sph::PackedSums& s) {

@@ -109,6 +109,10 @@ std::vector<NeighbourSums> swept(const Particles& p, const Viscosity& visc, doub
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (i % tree::bucket_size == 0) sums.rows.set_origin(i / tree::bucket_size, p.x[i], p.v[i]);
     sums.rows.set(i, p.x[i], p.v[i], p.V[i], p.c[i], rows_of(p.T[i]));
+    if constexpr (part == Part::viscous) {
+      sums.rows.set(i, p.x[i], -2 * p.v[i], p.V[i], p.c[i], {});
+      sums.rows.set_velocity(i, p.v[i]);
+    }
     if constexpr (Sums::sheared) sums.rows.set_shear(i, p.e[i]);
     if constexpr (Sums::extended) sums.rows.set_extra(i, p.R[i], p.h_of[i]);
   }
@@ -217,6 +221,28 @@ TYPED_TEST(PairSumsTwin, PartsHaveTheBitsOfTheWhole) {
     EXPECT_EQ(test::largest_entry(test::difference(gradient[i].G, whole[i].G)), 0);
     EXPECT_EQ(force[i].force, whole[i].force);
   }
+}
+
+/// The forces that the sums of a part name as those of viscosity.
+template <class Sums, Part part>
+std::vector<NeighbourSums> brakes(const Particles& p) {
+  std::vector<NeighbourSums> found = swept<Sums, part>(p, viscosity);
+  for (NeighbourSums& s : found) s.force = {s.brake[0], s.brake[1], s.brake[2]};
+  return found;
+}
+
+TYPED_TEST(PairSumsTwin, TheForceOfViscosityAloneEqualsTheSumOverAllPairs) {
+  using Kernel = typename TypeParam::Kernel;
+  using Basic = PairSums<typename TypeParam::Real, Kernel>;
+  using ShearFree = PairSums<typename TypeParam::Real, Kernel, Terms::shear_free>;
+  const Particles p = random_particles(600);
+  Particles without_stress = p;
+  std::ranges::fill(without_stress.T, Mat3{});
+  const auto exact = all_pairs<Kernel>(without_stress, viscosity);
+  EXPECT_LT(differences(brakes<Basic, Part::viscous>(p), exact).force, tolerance<TypeParam>);
+  EXPECT_LT(differences(brakes<Basic, Part::force>(p), exact).force, tolerance<TypeParam>);
+  const auto sheared = all_pairs<Kernel>(without_stress, viscosity, {false, false, 0, true});
+  EXPECT_LT(differences(brakes<ShearFree, Part::viscous>(p), sheared).force, tolerance<TypeParam>);
 }
 
 TYPED_TEST(PairSumsTwin, ShearFreeViscosityEqualsTheSumOverAllPairs) {

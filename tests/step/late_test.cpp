@@ -108,8 +108,7 @@ run::RunOptions slower_and_slower() {
   return options;
 }
 
-TEST(LatePhase, HasTheSameBitsForAnyNumberOfThreadsAndOfInterruptions) {
-  const Scene scene = late_impact();
+void has_the_same_bits_always(const Scene& scene) {
   const TemporaryFolder whole, pieces, threads;
   run::RunOptions options = slower_and_slower();
   run_in(whole, scene, options);
@@ -120,6 +119,22 @@ TEST(LatePhase, HasTheSameBitsForAnyNumberOfThreadsAndOfInterruptions) {
   options.threads = 1, options.max_steps = 11;
   while (run_in(pieces, scene, options).summary.end == run::RunEnd::step_limit) continue;
   EXPECT_THAT(differences(io::read_snapshot(pieces / "final.hdf5"), expected), IsEmpty());
+}
+
+TEST(LatePhase, HasTheSameBitsForAnyNumberOfThreadsAndOfInterruptions) {
+  has_the_same_bits_always(late_impact());
+}
+
+TEST(LatePhase, HasTheSameBitsAlwaysWhereViscosityDampsInStages) {
+  const auto thick = [](int stages) {
+    return late_impact(
+        {{"numerics",
+          {{"viscous_stages", stages}, {"viscosity_particles", 0}, {"viscosity_alpha", 2}}}});
+  };
+  has_the_same_bits_always(thick(3));
+  const TemporaryFolder one, three;  // several stages are at work: there are fewer steps
+  EXPECT_LT(run_in(three, thick(3), slower_and_slower()).summary.last.state.step,
+            run_in(one, thick(1), slower_and_slower()).summary.last.state.step);
 }
 
 TEST(LatePhase, IsRefusedWhereNothingLooksOrAnEnergyBudgetIsKept) {
