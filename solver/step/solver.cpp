@@ -105,8 +105,7 @@ Solver::Solver(const Scene& scene, particles::State state, particles::Rates rate
       lists_(2 * state_.h, 2 * state_.h * scene.numerics.list_skin, tree::images_of(walls_),
              scene.numerics.precision == "double" ? row_units<double> : row_units<float>),
       tree_(state_.size()),
-      pressure_(std::move(pressure)),
-      most_stages_(static_cast<int>(scene.numerics.viscous_stages)) {
+      pressure_(std::move(pressure)) {
   const std::size_t n = state_.size();
   require_walls_apart(scene.environment, lists_.support() * (1 + scene.numerics.list_skin));
   particles::resize(state_, n, fields_);
@@ -139,14 +138,14 @@ Solver::Solver(const Scene& scene, particles::State state, particles::Rates rate
 void Solver::cycle(double end_time) {
   find_voids();
   const Limits limits = time_step_limits();
-  dt_ = std::min(limits.motion, limits.viscosity * (viscosity_lags() ? most_stages_.reach() : 1));
+  dt_ = limits.with(cheapest_stages(limits));
   const double left = end_time - state_.time;
   const auto steps_left = static_cast<long>(std::ceil(left / dt_ * (1 - 1e-12)));
   const long interval = steps_in_cycle();
   const double planned = dt_ * static_cast<double>(interval);
   const long steps = std::min(interval, std::max(1L, steps_left));
   if (steps_left <= interval) dt_ = left / static_cast<double>(steps);
-  choose_stages(limits.viscosity);
+  take_stages(limits);
   for (since_gravity_ = 0; since_gravity_ < steps;) step();
   evaluate_gravity(dt_ * static_cast<double>(steps), planned);
   check_positions();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <variant>
 #include <vector>
@@ -126,7 +127,6 @@ class Solver {
   void check_collapse(std::size_t singular) const;
   void set_middle_rows(double duration);
   bool viscosity_lags() const;
-  void choose_stages(double dt_of_one);
   void sum_forces(double ahead);
   void damp_in_stages();
   std::size_t go_on(std::size_t i, std::size_t count, double duration, const sph::PackedSums& sums);
@@ -170,8 +170,13 @@ class Solver {
   /// What limits dt, s. Viscosity allows so much where it damps in one stage.
   struct Limits {
     double motion, viscosity;
+    double with(const ChebyshevStages& stages) const {
+      return std::min(motion, stages.reach() * viscosity);
+    }
   };
   Limits time_step_limits() const;
+  ChebyshevStages cheapest_stages(const Limits& limits) const;
+  void take_stages(const Limits& limits);
   long steps_in_cycle() const;
 
   void expect_speeds();
@@ -202,7 +207,6 @@ class Solver {
   std::vector<double> pressure_;  ///< at the time of the rates
   /// Whether a particle has a void around it; empty without numerics.voids.
   std::vector<std::uint8_t> is_void_;
-  ChebyshevStages most_stages_;          ///< of viscosity where it lags
   ChebyshevStages stages_of_viscosity_;  ///< of this cycle
   /// Where there is more than one: accelerations by viscosity in the first, changes of velocity.
   std::vector<Vec3> first_brake_, change_, other_change_;

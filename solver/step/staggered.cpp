@@ -175,13 +175,26 @@ bool step::Solver::viscosity_lags() const {
   return state_.softening.sound_speed < 1 && !state_.softening.is_calm;
 }
 
-/// The fewest stages that are stable at the dt of this cycle. One limits it to `dt_of_one`.
-void step::Solver::choose_stages(double dt_of_one) {
+/// Those with which a simulated second costs least, of as many as the scene allows.
+ChebyshevStages step::Solver::cheapest_stages(const Limits& limits) const {
+  constexpr double visit = 0.25;  // one for viscosity alone, in steps
+  ChebyshevStages cheapest;
+  if (!viscosity_lags()) return cheapest;
+  double least = 1 / limits.with(cheapest);
+  for (int count = 2; count <= scene_.numerics.viscous_stages; ++count) {
+    const ChebyshevStages stages(count);
+    const double cost = (1 + visit * (count - 1)) / limits.with(stages);
+    if (cost < least) least = cost, cheapest = stages;
+  }
+  return cheapest;
+}
+
+/// The fewest that are stable at the dt of this cycle.
+void step::Solver::take_stages(const Limits& limits) {
   constexpr double rounding = 1e-9;
-  stages_of_viscosity_ = ChebyshevStages(1);
-  while (viscosity_lags() && stages_of_viscosity_.count() < most_stages_.count() &&
-         dt_ > stages_of_viscosity_.reach() * dt_of_one * (1 + rounding))
-    stages_of_viscosity_ = ChebyshevStages(stages_of_viscosity_.count() + 1);
+  int count = 1;
+  while (dt_ > (1 + rounding) * ChebyshevStages(count).reach() * limits.viscosity) ++count;
+  stages_of_viscosity_ = ChebyshevStages(count);
   const bool several = stages_of_viscosity_.count() > 1;
   for (std::vector<Vec3>* one : {&first_brake_, &change_, &other_change_})
     one->resize(several ? state_.size() : 0);
