@@ -22,10 +22,10 @@ namespace eerie::step {
 /// Integrates one State under the laws of a Scene; it does not use the scene's bodies and impact.
 /// docs/explanation/equations.md has the equations and the scheme.
 ///
-/// The default is a predictor-corrector leapfrog with one evaluation of the elastic and frictional
-/// forces per step. Gravity changes slowly, so it is evaluated once per *cycle* of steps and
-/// extrapolated linearly in between. `gravity_tolerance` limits the length of a cycle. All steps of
-/// a cycle have one dt, and runs are interrupted only between cycles.
+/// The default staggers stress against velocity: one visit of the neighbours for the velocity
+/// gradient and one for the forces per step. Gravity changes slowly, so it is evaluated once per
+/// *cycle* of steps and extrapolated linearly in between. `gravity_tolerance` limits the length of
+/// a cycle. All steps of a cycle have one dt, and runs are interrupted only between cycles.
 class Solver {
  public:
   /// Takes the state, sorts it into memory order and evaluates its first rates. Where the state
