@@ -1,13 +1,13 @@
 #include "analysis/drawing/impact_words.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <vector>
 
 #include "analysis/drawing/grouped.hpp"
+#include "solver/scene/field_words.hpp"
 
 namespace eerie::drawing {
 using nlohmann::json;
@@ -31,19 +31,10 @@ std::string unlike_default(const Scene& scene) {
                                             {"theta_imp_deg", scene.impact.theta_imp_deg}}}}))
                          .flatten();
   const json fields = to_json(scene).flatten();
-  std::string text;
-  std::size_t found = 0;
-  for (const auto& [field, value] : fields.items()) {
-    if (is_told(field) || plain.value(field, json()) == value || ++found > most_fields) continue;
-    std::string name = field.substr(1);
-    std::ranges::replace(name, '/', '.');
-    text += fmt::format("{}{}={}", found == 1 ? "; " : ", ", name,
-                        value.is_number()   ? fmt::format("{:g}", value.get<double>())
-                        : value.is_string() ? value.get<std::string>()
-                                            : value.dump());
-  }
-  if (found > most_fields) text += fmt::format(" and {} more", found - most_fields);
-  return text;
+  std::vector<std::string> unlike;
+  for (const auto& [field, value] : fields.items())
+    if (!is_told(field) && plain.value(field, json()) != value) unlike.push_back(field);
+  return unlike.empty() ? "" : "; " + field_words(fields, unlike, most_fields);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "campaign/text/given_file.hpp"
 #include "campaign/text/plain_text.hpp"
 #include "solver/base/text/shell_word.hpp"
+#include "solver/scene/field_words.hpp"
 #include "solver/scene/tide.hpp"
 
 namespace eerie::overview {
@@ -82,29 +83,28 @@ NextStep longer(const TypedRun& run, const sweeps::Plan& plan,
           command_of(run, change)};
 }
 
+auto impact_of(const ResultRow& r) {
+  return std::tuple(r.q, r.phi_d_deg, r.v_imp_cm_per_s, r.theta_imp_deg, r.particles_per_target,
+                    r.seed);
+}
+
 /// Results of a sweep that it does not ask for are impacts that were let go on: they have the later
 /// end, and what they went on from needs no other.
-std::vector<ResultRow> not_gone_on(const std::vector<ResultRow>& results,
-                                   const sweeps::Plan& plan) {
-  const auto impact = [](const ResultRow& r) {
-    return std::tuple(r.q, r.phi_d_deg, r.v_imp_cm_per_s, r.theta_imp_deg, r.particles_per_target,
-                      r.seed);
-  };
+auto gone_on(const std::vector<ResultRow>& results, const sweeps::Plan& plan) {
   std::set<std::string> planned;
   for (const db::NewJob& job : plan.jobs) planned.insert(job.hash);
-  std::set<decltype(impact(results.front()))> gone_on;
+  std::set<decltype(impact_of(results.front()))> found;
   for (const ResultRow& row : results)
-    if (!planned.contains(row.hash)) gone_on.insert(impact(row));
-  std::vector<ResultRow> left = results;
-  std::erase_if(left, [&](const ResultRow& row) { return gone_on.contains(impact(row)); });
-  return left;
+    if (!planned.contains(row.hash)) found.insert(impact_of(row));
+  return found;
 }
 
 void add_longer(std::vector<NextStep>& steps, const TypedRun& run, const sweeps::Plan& plan,
                 const std::vector<ResultRow>& results, const job_folder::JobFolder& jobs) {
   std::vector<ResultRow> can_go_on, others;
-  for (const ResultRow& row : not_gone_on(results, plan))
-    if (!row.result.settled)
+  const auto have_gone_on = gone_on(results, plan);
+  for (const ResultRow& row : results)
+    if (!row.result.settled && !have_gone_on.contains(impact_of(row)))
       (job_folder::may_be_extended(jobs.of(row.hash)) ? can_go_on : others).push_back(row);
   steps.push_back(extended(run, plan, can_go_on));
   steps.push_back(longer(run, plan, others));
@@ -186,7 +186,7 @@ void add_finer(std::vector<NextStep>& steps, const TypedRun& run, const sweeps::
   if (finer.empty()) return;
   const json settings = sweeps::settings_of(finer).flatten();
   for (const auto& [pointer, ignored] : settings.items())
-    if (varies(plan.sweep, sweeps::dotted(pointer))) return;
+    if (varies(plan.sweep, dotted(pointer))) return;
   TypedRun again = run;
   again.changes.fidelity = finer;
   if (const std::string command = command_of(again); !command.empty())

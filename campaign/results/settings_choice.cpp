@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/base/error.hpp"
+#include "solver/scene/field_words.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/scene/schemes.hpp"
 #include "solver/scene/validate.hpp"
@@ -51,23 +52,6 @@ std::vector<std::string> differing(const std::vector<json>& scenes) {
   return found;
 }
 
-/// "numerics.scheme=dual, end.time_s=30000 and 2 more".
-std::string told(const json& scene, const std::vector<std::string>& fields) {
-  std::string text;
-  for (std::size_t k = 0; k < std::min(fields.size(), most_fields); ++k) {
-    std::string path = fields[k].substr(1);
-    std::ranges::replace(path, '/', '.');
-    const json value = scene.value(fields[k], json());
-    text += fmt::format("{}{}={}", k == 0 ? "" : ", ", path,
-                        value.is_null()           ? "off"
-                        : value.is_number_float() ? fmt::format("{:g}", value.get<double>())
-                        : value.is_string()       ? value.get<std::string>()
-                                                  : value.dump());
-  }
-  if (fields.size() > most_fields) text += fmt::format(" and {} more", fields.size() - most_fields);
-  return text;
-}
-
 }  // namespace
 
 std::vector<SettingsDifference> differences(const db::Connection& connection,
@@ -80,7 +64,8 @@ std::vector<SettingsDifference> differences(const db::Connection& connection,
       found.push_back({std::move(one), ""});
     }
   const std::vector<std::string> fields = differing(scenes);
-  for (std::size_t k = 0; k < found.size(); ++k) found[k].fields = told(scenes[k], fields);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    found[k].fields = field_words(scenes[k], fields, most_fields);
   return found;
 }
 

@@ -6,6 +6,7 @@
 
 #include "campaign/sweeps/scene_field.hpp"
 #include "solver/base/error.hpp"
+#include "solver/scene/field_words.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie::sweeps {

@@ -8,6 +8,7 @@
 
 #include "campaign/sweeps/fidelity.hpp"
 #include "campaign/sweeps/scene_field.hpp"
+#include "solver/scene/field_words.hpp"
 
 namespace eerie::sweeps {
 using nlohmann::json;

@@ -21,12 +21,6 @@ std::string field_pointer(const std::string& path) {
   return text;
 }
 
-std::string dotted(std::string pointer) {
-  pointer.erase(0, 1);
-  std::replace(pointer.begin(), pointer.end(), '/', '.');
-  return pointer;
-}
-
 std::string word(const json& value) {
   return value.is_string() ? value.get<std::string>()
                            : value.dump(-1, ' ', false, json::error_handler_t::replace);

@@ -10,8 +10,6 @@ namespace eerie::sweeps {
 
 /// The JSON pointer of a dotted path: "/impact/q" for "impact.q".
 std::string field_pointer(const std::string& path);
-/// "impact.q" for "/impact/q".
-std::string dotted(std::string pointer);
 /// A value as --set takes it.
 std::string word(const nlohmann::json& value);
 

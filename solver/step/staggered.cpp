@@ -21,6 +21,10 @@ DoublePack thinned(const DoublePack& strain) {
   return series(squeeze) / series(stretch);
 }
 
+Vec3 brake(const sph::PackedSums& s, std::size_t l) {
+  return {s.brake[0][l], s.brake[1][l], s.brake[2][l]};
+}
+
 SymTensor lane(const SymTensorOf<DoublePack>& s, std::size_t l) {
   return {s.xx[l], s.yy[l], s.zz[l], s.xy[l], s.xz[l], s.yz[l]};
 }
@@ -258,13 +262,13 @@ void step::Solver::damp_in_stages() {
 /// is what the forces that are new make of them.
 void step::Solver::heat_by_brake(std::size_t i, const Vec3& change, const sph::PackedSums& s,
                                  std::size_t l) {
-  const Vec3 brake = {s.brake[0][l], s.brake[1][l], s.brake[2][l]};
-  rates_.viscous_heating[i] = (s.heat[l] - dot(brake, change)) / filling_density(state_.rho[i]);
+  rates_.viscous_heating[i] =
+      (s.heat[l] - dot(brake(s, l), change)) / filling_density(state_.rho[i]);
 }
 
 Vec3 step::Solver::acceleration_by_viscosity(std::size_t i, const sph::PackedSums& s,
                                              std::size_t l) const {
-  return Vec3{s.brake[0][l], s.brake[1][l], s.brake[2][l]} / filling_density(state_.rho[i]);
+  return brake(s, l) / filling_density(state_.rho[i]);
 }
 
 void step::Solver::set_forces(std::size_t i, std::size_t count, const sph::PackedSums& s) {

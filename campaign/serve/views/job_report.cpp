@@ -8,6 +8,7 @@
 #include "campaign/job_folder/job_directory.hpp"
 #include "db/jobs/jobs.hpp"
 #include "db/views/query.hpp"
+#include "solver/scene/field_words.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace eerie::serve {
@@ -94,8 +95,7 @@ json scene_leaves(const json& scene) {
   const json flat = scene.flatten();
   json leaves = json::array();
   for (const auto& [pointer, value] : flat.items()) {
-    std::string path = pointer.substr(1);
-    std::ranges::replace(path, '/', '.');
+    const std::string path = dotted(pointer);
     // The scheme itself differs from the one that a scene has by default.
     const json& defaults = path == "numerics.scheme" ? unchanged : usual;
     const json by_default = defaults.value(pointer, json());

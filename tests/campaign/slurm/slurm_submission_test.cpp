@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
 #include "campaign/manager/waiting/try_later.hpp"
 #include "campaign/slurm/slurm_scheduler.hpp"
 #include "tests/campaign/slurm/slurm_scheduler_fixture.hpp"
