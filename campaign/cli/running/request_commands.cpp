@@ -139,8 +139,9 @@ Action add_submit(CLI::App& app) {
   app.add_option("SWEEP", a->sweep, "sweep file")->required();
   add_database(app, a->database);
   add_changes(app, a->changes);
-  app.add_option("--priority", a->priority, "of its new jobs; higher ones come first (default: 0)");
-  app.add_option("--wall-limit", a->wall_limit, "wall time of each new job at most, such as 2h");
+  app.add_option("--priority", a->priority,
+                 "of its jobs that were never tried; higher ones come first (default: 0)");
+  app.add_option("--wall-limit", a->wall_limit, "wall time at most of each of them, such as 2h");
   add_formats(app);
   return [a](Output&) { return submit(*a); };
 }
