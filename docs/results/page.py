@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fills the tables of README.md beside it from the campaign's database: what stands between marks.
+"""Fills the tables of README.md and in-doubt.md beside it from the campaign's database: what stands between marks.
 
 usage: docs/results/page.py EERIE DATABASE        (make.sh calls it)
 """
@@ -15,10 +15,11 @@ import subprocess
 import sys
 import tempfile
 
-PAGE = pathlib.Path(__file__).with_name("README.md")
+HERE = pathlib.Path(__file__).parent
+SWEEPS = HERE.parent.parent / "sweeps"
 SERIES = [("40 deg, coarse and fine grid (Figs. 2a, 2b)", "1", "40"), ("50 deg (Fig. 4)", "1", "50"), ("30 deg", "1", "30"),
           ("mass ratio 0.5 (Fig. 6)", "0.5", "50"), ("mass ratio 0.25", "0.25", "50")]
-COLUMNS = "hash,q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,seed,fidelity,settings,settled,b_over_a,m_lr_over_m_total,particles_per_target,scheme"
+COLUMNS = "hash,q,phi_d_deg,v_imp_cm_per_s,theta_imp_deg,seed,fidelity,settings,settled,class,b_over_a,m_lr_over_m_total,particles_per_target,scheme"
 PAPERS_SCHEME = "libersky-petschek-2018"
 
 
@@ -46,8 +47,32 @@ def impacts(runs):
     return found
 
 
+def leaves_eer(run):
+    return run["b_over_a"] != "" and float(run["b_over_a"]) < 0.3
+
+
 def is_eer(runs):
-    return statistics.mean(r["b_over_a"] != "" and float(r["b_over_a"]) < 0.3 for r in runs) >= 0.5
+    return statistics.mean(map(leaves_eer, runs)) >= 0.5
+
+
+def in_words(place):
+    return "{}, {} deg, {} cm/s, {} deg".format(*place)
+
+
+def in_order(places):
+    return sorted(places, key=lambda place: [-float(place[0]), *map(float, place[1:])])
+
+
+def asked_by_statements():
+    """The places of impacts on which statements of the paper rest."""
+    points = [p for name in ("second-look", "fifty-thousand") for p in json.loads((SWEEPS / f"{name}.json").read_text())["points"]]
+    return {place_of(p) for p in points}
+
+
+def in_doubt(standard):
+    """Impacts of which three seeds or more differ on class or EER."""
+    differ = lambda runs, what: len({what(r) for r in runs}) > 1
+    return {k: v for k, v in standard.items() if len(v) >= 3 and (differ(v, lambda r: r["class"]) or differ(v, leaves_eer))}
 
 
 def ridges(fits, standard):
@@ -73,7 +98,7 @@ def statements(report):
 
 
 def second_look(runs, standard):
-    """Impacts that were run by more than the standard."""
+    """Impacts that were run by more than the standard, those aside that are in doubt alone."""
     def text(some):
         if not some:
             return ""
@@ -84,10 +109,27 @@ def second_look(runs, standard):
 
     kinds = [*(impacts(r for r in runs if r["particles_per_target"] == n and r["is_plain"]) for n in ("20000", "50000")),
              impacts(r for r in runs if r["scheme"] == PAPERS_SCHEME)]
-    places = sorted(set().union(*kinds), key=lambda place: [-float(place[0]), *map(float, place[1:])])
-    rows = [["{}, {} deg, {} cm/s, {} deg".format(*place), text(standard[place]), *(text(kind.get(place)) for kind in kinds)]
-            for place in places]
+    places = set().union(*kinds) - (in_doubt(standard).keys() - asked_by_statements())
+    rows = [[in_words(place), text(standard[place]), *(text(kind.get(place)) for kind in kinds)] for place in in_order(places)]
     return table(["impact: q, friction, speed, angle", "5,000 particles", "20,000", "50,000", "the paper's scheme, 5,000"], rows)
+
+
+def doubts(runs, standard):
+    """What 20,000 particles say where seeds differ; the same in a sentence."""
+    fine = impacts(r for r in runs if r["particles_per_target"] == "20000" and r["is_plain"])
+    unsure = in_doubt(standard)
+    ratios = lambda some: ", ".join(f"{float(r['b_over_a']):.2f}" for r in some if r["b_over_a"])
+    several = lambda some: "; ".join(f"{c} {ratios(r for r in some if r['class'] == c)}" for c in dict.fromkeys(r["class"] for r in some))
+    most = lambda some, what: collections.Counter(map(what, some)).most_common(1)[0][0]
+    tried = [k for k in unsure if k in fine]
+    same = sum(most(unsure[k], lambda r: r["class"]) == most(fine[k], lambda r: r["class"]) for k in tried)
+    eers = [k for k in tried if len({leaves_eer(r) for r in unsure[k]}) > 1]
+    still = sum(is_eer(fine[k]) for k in eers)
+    rows = [[in_words(k), several(unsure[k]), several(fine.get(k, []))] for k in in_order(unsure)]
+    return (table(["impact: q, friction, speed, angle", "5,000 particles, each run", "20,000"], rows),
+            f"Of {len(unsure)} impacts whose seeds with 5,000 particles differ on class or EER, {len(tried)} were run with 20,000: "
+            f"{same} end there as most of their seeds do. Of {len(eers)} that leave an EER with some seeds, {still} "
+            f"{'does' if still == 1 else 'do'} so with 20,000. Each of them: [in-doubt.md](in-doubt.md).")
 
 
 def ridge_of_first_seeds(eerie, database, phi, seeds):
@@ -116,7 +158,7 @@ def certainty(eerie, database, runs, standard):
             some = [r for v in cells for r in v if int(r["seed"]) <= seeds]
             rows.append([question, name.format(n=len(some)), f"{sum(r['core_s'] for r in some) / 3600:.2f} h",
                          ridge_of_first_seeds(eerie, database, phi, seeds)])
-    study = list(csv.DictReader((PAGE.parent.parent / "notebook/convergence/default-runs.csv").open()))
+    study = list(csv.DictReader((HERE.parent / "notebook/convergence/default-runs.csv").open()))
     for question, case, place in (("b/a of the reference impact", "A", ("1", "40", "20", "15")),
                                   ("b/a of the unequal pair", "D", ("0.5", "50", "25", "20"))):
         def add(particles, ratios, seconds):
@@ -153,6 +195,15 @@ def bill(runs, standard):
             f"{sum(r['settled'] == '0' for r in runs)} of {len(runs)} runs had not settled by 100,000 s.")
 
 
+def fill(file, blocks):
+    page = file.read_text()
+    for name, text in blocks.items():
+        page, found = re.subn(rf"(<!-- {name} -->\n).*?(\n<!-- end -->)", lambda m: m[1] + text + m[2], page, flags=re.S)
+        if found != 1:
+            sys.exit(f"{file}: {found} places for {name}, one is wanted")
+    file.write_text(page)
+
+
 def main():
     eerie, database = sys.argv[1:]
     of = ["--db", database]
@@ -174,12 +225,9 @@ def main():
         "certainty": certainty(eerie, database, runs, standard),
         "bill": bill(runs, standard),
     }
-    page = PAGE.read_text()
-    for name, text in blocks.items():
-        page, found = re.subn(rf"(<!-- {name} -->\n).*?(\n<!-- end -->)", lambda m: m[1] + text + m[2], page, flags=re.S)
-        if found != 1:
-            sys.exit(f"{PAGE}: {found} places for {name}, one is wanted")
-    PAGE.write_text(page)
+    table_of_doubts, sentence = doubts(runs, standard)
+    fill(HERE / "README.md", {**blocks, "doubts": sentence})
+    fill(HERE / "in-doubt.md", {"doubts": table_of_doubts})
 
 
 main()
