@@ -210,13 +210,13 @@ def main():
     runs = list(csv.DictReader(io.StringIO(said(eerie, "query", *of, "--columns", COLUMNS, "--format", "csv"))))
     with sqlite3.connect(f"file:{database}?mode=ro", uri=True) as connection:
         spent = dict(connection.execute("SELECT hash, total(core_seconds) FROM attempts a JOIN jobs j ON j.id = a.job_id GROUP BY hash"))
-        matter = dict(connection.execute("SELECT id, json_extract(scene, '$.material') FROM job_settings"))
+        shared = {number: json.loads(scene) for number, scene in connection.execute("SELECT id, scene FROM job_settings")}
+    for scene in shared.values():
+        scene["numerics"].pop("particles_per_target")
     for r in runs:
         r["core_s"] = spent[r["hash"]]
-        # Runs with another end have 5,000 particles and settings of their own.
-        of_standard_matter = matter[int(r["settings"])] == matter[1]
-        r["is_plain"] = (r["scheme"] == "closing-gaps" and of_standard_matter and
-                         (r["settings"] == "1" or r["particles_per_target"] != "5000"))
+        # As by default but for the particles: no other matter, scheme, viscosity or end.
+        r["is_plain"] = shared[int(r["settings"])] == shared[1]
     standard = impacts(r for r in runs if r["settings"] == "1")
     blocks = {
         "ridges": ridges(json.loads(said(eerie, "threshold", *of, "--settings", "1", "--json"))["ridges"], standard),
