@@ -47,6 +47,11 @@ def impacts(runs):
     return found
 
 
+def plain(runs, particles):
+    """Those that are as by default but for so many particles."""
+    return impacts(r for r in runs if r["is_plain"] and r["particles_per_target"] == str(particles))
+
+
 def leaves_eer(run):
     return run["b_over_a"] != "" and float(run["b_over_a"]) < 0.3
 
@@ -69,10 +74,17 @@ def asked_by_statements():
     return {place_of(p) for p in points}
 
 
+def class_of(run):
+    return run["class"]
+
+
+def differ(runs, what):
+    return len(set(map(what, runs))) > 1
+
+
 def in_doubt(standard):
     """Impacts of which three seeds or more differ on class or EER."""
-    differ = lambda runs, what: len({what(r) for r in runs}) > 1
-    return {k: v for k, v in standard.items() if len(v) >= 3 and (differ(v, lambda r: r["class"]) or differ(v, leaves_eer))}
+    return {k: v for k, v in standard.items() if len(v) >= 3 and (differ(v, class_of) or differ(v, leaves_eer))}
 
 
 def ridges(fits, standard):
@@ -97,7 +109,7 @@ def statements(report):
             table(["the paper", "verdict", "here"], rows))
 
 
-def second_look(runs, standard):
+def second_look(runs, standard, unsure):
     """Impacts that were run by more than the standard, those aside that are in doubt alone."""
     def text(some):
         if not some:
@@ -107,23 +119,21 @@ def second_look(runs, standard):
         mass = statistics.mean(float(r["m_lr_over_m_total"]) for r in some)
         return f"{statistics.mean(ratios):.2f}{spread} ({mass:.2f}), {len(some)}"
 
-    kinds = [*(impacts(r for r in runs if r["particles_per_target"] == n and r["is_plain"]) for n in ("20000", "50000")),
-             impacts(r for r in runs if r["scheme"] == PAPERS_SCHEME)]
-    places = set().union(*kinds) - (in_doubt(standard).keys() - asked_by_statements())
+    kinds = [plain(runs, 20000), plain(runs, 50000), impacts(r for r in runs if r["scheme"] == PAPERS_SCHEME)]
+    places = set().union(*kinds) - (unsure.keys() - asked_by_statements())
     rows = [[in_words(place), text(standard[place]), *(text(kind.get(place)) for kind in kinds)] for place in in_order(places)]
     return table(["impact: q, friction, speed, angle", "5,000 particles", "20,000", "50,000", "the paper's scheme, 5,000"], rows)
 
 
-def doubts(runs, standard):
+def doubts(runs, unsure):
     """What 20,000 particles say where seeds differ; the same in a sentence."""
-    fine = impacts(r for r in runs if r["particles_per_target"] == "20000" and r["is_plain"])
-    unsure = in_doubt(standard)
+    fine = plain(runs, 20000)
     ratios = lambda some: ", ".join(f"{float(r['b_over_a']):.2f}" for r in some if r["b_over_a"])
-    several = lambda some: "; ".join(f"{c} {ratios(r for r in some if r['class'] == c)}" for c in dict.fromkeys(r["class"] for r in some))
-    most = lambda some, what: collections.Counter(map(what, some)).most_common(1)[0][0]
+    several = lambda some: "; ".join(f"{c} {ratios(r for r in some if r['class'] == c)}" for c in dict.fromkeys(map(class_of, some)))
+    usual = lambda some: collections.Counter(map(class_of, some)).most_common(1)[0][0]
     tried = [k for k in unsure if k in fine]
-    same = sum(most(unsure[k], lambda r: r["class"]) == most(fine[k], lambda r: r["class"]) for k in tried)
-    eers = [k for k in tried if len({leaves_eer(r) for r in unsure[k]}) > 1]
+    same = sum(usual(unsure[k]) == usual(fine[k]) for k in tried)
+    eers = [k for k in tried if differ(unsure[k], leaves_eer)]
     still = sum(is_eer(fine[k]) for k in eers)
     rows = [[in_words(k), several(unsure[k]), several(fine.get(k, []))] for k in in_order(unsure)]
     return (table(["impact: q, friction, speed, angle", "5,000 particles, each run", "20,000"], rows),
@@ -168,7 +178,7 @@ def certainty(eerie, database, runs, standard):
         coarse = [r for r in study if r["case"] == case and r["particles_per_target"] == "1000"]
         add(1000, [float(r["b_over_a_1"]) for r in coarse], [float(r["core_s"]) for r in coarse])
         for particles in (5000, 20000, 50000):
-            some = [r for r in runs if r["particles_per_target"] == str(particles) and place_of(r) == place and r["is_plain"]]
+            some = plain(runs, particles).get(place)
             if some:
                 add(particles, [float(r["b_over_a"]) for r in some], [r["core_s"] for r in some])
     for before, row in zip(rows[-2::-1], rows[:0:-1]):  # a question stands once
@@ -217,15 +227,16 @@ def main():
         r["core_s"] = spent[r["hash"]]
         # As by default but for the particles: no other matter, scheme, viscosity or end.
         r["is_plain"] = shared[int(r["settings"])] == shared[1]
-    standard = impacts(r for r in runs if r["settings"] == "1")
+    standard = plain(runs, 5000)
+    unsure = in_doubt(standard)
     blocks = {
         "ridges": ridges(json.loads(said(eerie, "threshold", *of, "--settings", "1", "--json"))["ridges"], standard),
         "statements": statements(json.loads(said(eerie, "check", *of, "--json"))),
-        "second look": second_look(runs, standard),
+        "second look": second_look(runs, standard, unsure),
         "certainty": certainty(eerie, database, runs, standard),
         "bill": bill(runs, standard),
     }
-    table_of_doubts, sentence = doubts(runs, standard)
+    table_of_doubts, sentence = doubts(runs, unsure)
     fill(HERE / "README.md", {**blocks, "doubts": sentence})
     fill(HERE / "in-doubt.md", {"doubts": table_of_doubts})
 
