@@ -127,6 +127,7 @@ void draw_ridge(const std::filesystem::path& file, const db::Connection& connect
   filter.settings = f.group.settings.id;
   diagrams::PhaseDiagram diagram = phase_diagrams(connection, filter).front();
   diagram.threshold_cm_per_s = f.found()->constant;
+  diagram.threshold_source = "fitted";
   diagrams::draw_phase_diagram(file, diagram);
 }
 

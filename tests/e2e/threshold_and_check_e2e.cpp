@@ -71,7 +71,7 @@ TEST_F(ThresholdAndCheck, FitTheRidgeOfADatabaseAndSayWhereThereIsNone) {
 TEST_F(ThresholdAndCheck, DrawTheFittedCurveAndListAllConstants) {
   Ended ended = eerie({"threshold", "--db", database(), "-o", "new-ridge.svg"});
   ASSERT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(read_file(folder / "new-ridge.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(read_file(folder / "new-ridge.svg"), HasSubstr("fitted: v sin θ"));
   ended = eerie({"threshold", "--db", database(), "-o", "ridge.csv"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const std::string csv = read_file(folder / "ridge.csv");

@@ -97,7 +97,7 @@ TEST(PhaseDiagram, LegendNamesOnlyWhatTheMapShows) {
                          "v sin θ",    "stale",       "no job",    "has no such number",
                          "hit-and-run"};
   for (const char* words : optional) EXPECT_THAT(all, HasSubstr(words));
-  EXPECT_THAT(all, HasSubstr("v sin θ = 5.1 cm/s"));
+  EXPECT_THAT(all, HasSubstr("\"paper: v sin θ = 5.1 cm/s\""));
   EXPECT_THAT(all, Not(HasSubstr("erosion")));
   PhaseDiagram plain = small_map();
   plain.cells.resize(2);
@@ -173,6 +173,7 @@ TEST(PhaseFigure, HasAPanelForEachPlaceWithOneScale) {
   EXPECT_EQ(count(text, "set xrange [13.5:26]"), 2u);
   EXPECT_THAT(text, HasSubstr("= 40°,  v sin θ = 5.1 cm/s\""));
   EXPECT_THAT(text, HasSubstr("= 50°,  v sin θ = 7.4 cm/s\""));
+  EXPECT_THAT(text, HasSubstr("\"paper: v sin θ as in the panel"));
 }
 
 TEST(PhaseFigure, HasAPanelForEachQuantityWithItsOwnScale) {
