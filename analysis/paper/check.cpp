@@ -31,7 +31,7 @@ FactCheck check_grid(const Fact& fact, const std::vector<ImpactRun>& runs,
 }  // namespace
 
 FactCheck check(const Fact& fact, const std::vector<ImpactRun>& runs, const std::string& database) {
-  if (is_on_grid(fact)) return check_grid(fact, runs, database);
+  if (!fact.point) return check_grid(fact, runs, database);
   std::set<RunSettings> kinds;  // the most particles last
   for (const ImpactRun& run : runs)
     if (std::abs(run.q - fact.q) <= same_q &&

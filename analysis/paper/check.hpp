@@ -45,11 +45,12 @@ struct FactCheck {
   std::string to_run;         ///< command that would decide it; empty where it is decided
 };
 
-/// Tests a fact. On one impact, and on a ridge, runs of different settings are never mixed. Among
-/// the settings that decide the fact, those with the most particles count; where none decide, those
-/// with the most impacts. A statement on a grid takes the settings with the most impacts, and each
-/// impact by its finest runs (finest_runs.hpp). `database` goes into the command of to_run. `runs`
-/// may contain runs that do not concern the fact.
+/// Tests a fact. On one impact runs of different settings are never mixed. Among the settings that
+/// decide the fact, those with the most particles count; where none decide, the finest that has
+/// runs. A statement on a grid, its ridge too, takes the settings with the most impacts, and each
+/// impact by its finest runs (finest_runs.hpp): impacts that were chosen to be run finer are no
+/// map. `database` goes into the command of to_run. `runs` may contain runs that do not concern the
+/// fact.
 ///
 /// An impact has a property when at least half of its runs have it. A number agrees when the mean
 /// of the runs is within the tolerance, and its standard error is, too. It disagrees when one more

@@ -43,10 +43,6 @@ std::vector<const ImpactRun*> those_that_count(ByKind&& kinds, const RunSettings
 
 }  // namespace
 
-bool is_on_grid(const Fact& fact) {
-  return !fact.point && !std::holds_alternative<RidgeIsAt>(fact.claim);
-}
-
 std::vector<RunSettings> by_coverage(const Fact& fact, const std::vector<ImpactRun>& runs) {
   std::map<RunSettings, std::size_t> impacts;
   for (const CheckCell& cell : check_cells(points_of(fact.grids), fact, runs))

@@ -7,9 +7,6 @@
 
 namespace eerie::paper {
 
-/// Whether a fact speaks of the impacts of a grid one by one. A ridge is a fit to all of them.
-bool is_on_grid(const Fact& fact);
-
 /// The settings of the runs that concern a fact on a grid: those with runs at the most impacts come
 /// first, and of equals those with the most particles.
 std::vector<RunSettings> by_coverage(const Fact& fact, const std::vector<ImpactRun>& runs);

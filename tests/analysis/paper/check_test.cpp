@@ -224,26 +224,46 @@ TEST(Check, WantsEveryNamedPointElongatedAndNoOther) {
   EXPECT_EQ(verdict("q05-three", map(23, 29)), disagrees);
 }
 
+/// The fine grid with EERs about v sin(theta) = constant, cm/s.
+std::vector<ImpactRun> ridge_at(double constant) {
+  return runs_of(fact_named("phi40-ridge"), [&](const ImpactPoint& p) {
+    const double s = p.v_imp_cm_per_s * std::sin(radians(p.theta_imp_deg));
+    return run_with(std::abs(s - constant) < 0.45 && p.v_imp_cm_per_s < 25 ? 0.25 : 0.5);
+  });
+}
+
 TEST(Check, FitsTheRidgeOfTheFineGrid) {
-  const auto map = [](double constant) {
-    return runs_of(fact_named("phi40-ridge"), [&](const ImpactPoint& p) {
-      const double s = p.v_imp_cm_per_s * std::sin(radians(p.theta_imp_deg));
-      return run_with(std::abs(s - constant) < 0.45 && p.v_imp_cm_per_s < 25 ? 0.25 : 0.5);
-    });
-  };
-  const FactCheck f = checked("phi40-ridge", map(5.1));
+  const FactCheck f = checked("phi40-ridge", ridge_at(5.1));
   EXPECT_EQ(f.agreement, agrees);
   EXPECT_NEAR(f.value.value(), 5.1, 0.15);
   EXPECT_LT(f.low.value(), f.value.value());
   EXPECT_EQ(f.impacts, 96u);
-  EXPECT_EQ(verdict("phi40-ridge", map(3.9)), disagrees);
+  EXPECT_EQ(verdict("phi40-ridge", ridge_at(3.9)), disagrees);
   // The whole grid and no ridge on it: no constant, and not what the paper has.
-  const FactCheck none = checked("phi40-ridge", map(50));
+  const FactCheck none = checked("phi40-ridge", ridge_at(50));
   EXPECT_EQ(none.agreement, disagrees);
   EXPECT_EQ(none.value, std::nullopt);
-  std::vector<ImpactRun> part = map(50);
+  std::vector<ImpactRun> part = ridge_at(50);
   part.pop_back();
   EXPECT_EQ(verdict("phi40-ridge", part), not_enough);
+}
+
+TEST(Check, FitsTheRidgeOfTheWholeGridAndNotOfImpactsThatWereChosen) {
+  std::vector<ImpactRun> whole;
+  for (const ImpactRun& run : ridge_at(5.1)) whole.insert(whole.end(), 3, run);
+  for (ImpactRun& run : whole) run.settings = standard;
+  std::vector<ImpactRun> finer = ridge_at(3.9);
+  std::erase_if(finer, [](const ImpactRun& run) { return run.v_imp_cm_per_s < 16; });
+  for (ImpactRun& run : finer) run.settings = {20000, "fine", "fine"};
+  ASSERT_NEAR(checked("phi40-ridge", finer).value.value(), 3.9, 0.2);
+
+  // One run of each does not count against three.
+  std::vector<ImpactRun> both = whole;
+  both.insert(both.end(), finer.begin(), finer.end());
+  const FactCheck f = checked("phi40-ridge", both);
+  EXPECT_EQ(f.settings.name, "standard");
+  EXPECT_EQ(f.value, checked("phi40-ridge", whole).value);
+  EXPECT_EQ(f.finer, 0u);
 }
 
 TEST(Check, CountsClassesAlongTheRidge) {
