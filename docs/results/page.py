@@ -24,7 +24,11 @@ PAPERS_SCHEME = "libersky-petschek-2018"
 
 
 def said(*arguments):
-    return subprocess.run(arguments, check=True, capture_output=True, text=True).stdout
+    """What a command prints; it says itself, in words for people, why it fails."""
+    done = subprocess.run(arguments, stdout=subprocess.PIPE, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{pathlib.Path(__file__).name}: stopped, since this failed: {' '.join(map(str, arguments))}")
+    return done.stdout
 
 
 def table(head, rows):
