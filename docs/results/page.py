@@ -206,9 +206,10 @@ def bill(runs, standard):
         seeds = collections.Counter(len(v) for v in here)
         rows.append([name, len(here), sum(n for s, n in seeds.items() if s >= 3), sum(n for s, n in seeds.items() if s >= 6),
                      f"{sum(r['core_s'] for v in here for r in v) / 3600:.2f}"])
+    first = sum(r["core_s"] for v in standard.values() for r in v if r["seed"] == "1") / 3600
     rows.append(["all", len(standard), sum(r[2] for r in rows), sum(r[3] for r in rows), f"{sum(cost) / 3600:.2f}"])
     return (table(["series, `standard`", "impacts", "with three seeds or more", "with six or more", "core-hours"], rows) + "\n\n" +
-            f"An impact of 5,000 particles takes {statistics.median(cost):.0f} core-seconds (median; {min(cost):.0f} to {max(cost):.0f}). " +
+            f"An impact of 5,000 particles takes {statistics.median(cost):.0f} core-seconds (median; {min(cost):.0f} to {max(cost):.0f}), one seed of all of them {first:.1f} core-hours. " +
             "Core-hours by particles: " + ", ".join(f"{n} {h:.2f}" for n, h in hours.items()) + ", {:.2f} in all. ".format(sum(hours.values())) +
             f"{sum(r['settled'] == '0' for r in runs)} of {len(runs)} runs had not settled by 100,000 s.")
 
