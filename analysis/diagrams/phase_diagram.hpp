@@ -51,7 +51,7 @@ struct PhaseDiagram {
   /// Mutual escape speed at contact, for the upper axis; 0: no such axis.
   double v_esc_cm_per_s = 0;
   std::optional<double> threshold_cm_per_s;  ///< the curve v sin(theta) = threshold is drawn
-  std::string threshold_source = {};         ///< for the legend: "paper", "fitted"; may be empty
+  std::string threshold_source = "paper";    ///< whose it is, for the legend
   std::optional<EerBorders> borders = {};    ///< drawn in panels of P(EER)
   std::vector<PhaseCell> cells;              ///< in any order; at most one per (v, theta)
   std::string fidelity = {};                 ///< empty where the settings have no name

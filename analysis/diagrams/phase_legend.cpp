@@ -86,13 +86,13 @@ void PhaseLegend::add_curve(const PhaseFigure& figure) {
   for (const PhaseDiagram& d : figure.diagrams)
     if (d.threshold_cm_per_s) {
       constants.push_back(*d.threshold_cm_per_s);
-      source = d.threshold_source.empty() ? "" : d.threshold_source + ": ";
+      source = d.threshold_source;
     }
   if (constants.empty()) return;
   const bool same = std::ranges::count(constants, constants.front()) == std::ssize(constants);
   add(Mark::curve, {},
-      source + (same ? fmt::format("v sin θ = {:.3g} cm/s", constants.front())
-                     : "v sin θ as in the panel's title"));
+      source + (same ? fmt::format(": v sin θ = {:.3g} cm/s", constants.front())
+                     : ": v sin θ as in the panel's title"));
 }
 
 void PhaseLegend::add_borders(const PhaseFigure& figure) {

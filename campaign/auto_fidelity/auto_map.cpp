@@ -17,7 +17,6 @@ std::vector<diagrams::PhaseDiagram> phase_diagrams(const AutoFidelity& campaign)
     diagram.q = q, diagram.phi_d_deg = phi_d;
     diagram.v_esc_cm_per_s = 100 * sweeps::mutual_escape_speed(s);
     diagram.threshold_cm_per_s = paper::published_threshold(q, phi_d);
-    diagram.threshold_source = "paper";
     diagrams::PhaseCell cell{s.impact.v_imp_cm_per_s, s.impact.theta_imp_deg};
     if (c.is_known()) {
       cell.state = diagrams::CellState::done;

@@ -97,7 +97,6 @@ std::vector<diagrams::PhaseDiagram> phase_diagrams(const std::vector<db::MapPoin
       diagram.particles_per_target = p.particles_per_target;
       diagram.v_esc_cm_per_s = p.v_imp_cm_per_s / p.v_over_v_esc;
       diagram.threshold_cm_per_s = paper::published_threshold(p.q, p.phi_d_deg);
-      diagram.threshold_source = "paper";
       diagram.settings = p.settings, diagram.fidelity = p.fidelity;
       diagrams.push_back(std::move(diagram));
     }

@@ -11,7 +11,6 @@ inline diagrams::PhaseDiagram small_map() {
   map.particles_per_target = 1000;
   map.v_esc_cm_per_s = 6.14;
   map.threshold_cm_per_s = 5.1;
-  map.threshold_source = "paper";
   const auto done = diagrams::CellState::done;
   map.cells = {{15, 10, done, 0.91, "perfect-merging", false},
                {18, 10, done, 0.47, "graze-and-merge", false},
