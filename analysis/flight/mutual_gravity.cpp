@@ -1,5 +1,6 @@
 #include "analysis/flight/mutual_gravity.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace eerie::flight {
@@ -18,69 +19,103 @@ void sort_members(RigidBody& body, const std::vector<std::uint32_t>& id) {
   body.in_kd_order = true;
 }
 
-}  // namespace
-
-MutualGravity::Crowd MutualGravity::crowd(std::vector<Member> members, bool is_one_body) const {
-  const std::size_t n = members.size();
-  return {std::move(members), std::vector<Vec3>(n),       std::vector<Vec3>(n),
-          tree::KdTree(n),    tree::Gravity(parameters_), is_one_body};
+/// Lets a force act at x, m.
+void act(Pull& pull, const RigidBody& body, const Vec3& x, const Vec3& force) {
+  pull.force += force;
+  pull.torque += cross(x - body.x, force);
 }
+
+}  // namespace
 
 void MutualGravity::take(std::vector<RigidBody>& bodies, const std::vector<std::uint32_t>& id) {
   id_ = id;
-  crowds_.clear();
-  std::vector<Member> light;
+  heavy_ones_.clear();
+  light_ = {};
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const bool is_heavy = bodies[b].mass >= heavy_;
-    if (is_heavy && !bodies[b].in_kd_order) sort_members(bodies[b], id);
-    std::vector<Member> members;
-    for (std::size_t k = 0; k < bodies[b].members.size(); ++k)
-      (is_heavy ? members : light).push_back({b, k});
-    if (is_heavy) crowds_.push_back(crowd(std::move(members), true));
+    if (bodies[b].mass >= heavy_) {
+      if (!bodies[b].in_kd_order) sort_members(bodies[b], id);
+      heavy_ones_.push_back(heavy(b, bodies[b]));
+    } else {
+      for (std::size_t k = 0; k < bodies[b].members.size(); ++k) light_.members.push_back({b, k});
+    }
   }
-  if (!light.empty()) crowds_.push_back(crowd(std::move(light), false));
+  std::ranges::stable_sort(heavy_ones_, std::ranges::greater{},
+                           [](const Heavy& one) { return one.particles.members.size(); });
   evaluations_ = 0;
 }
 
+MutualGravity::Heavy MutualGravity::heavy(std::size_t b, const RigidBody& body) const {
+  Heavy one{b, {}, tree::KdTree(body.offsets.size()), tree::Gravity(parameters_)};
+  for (std::size_t k = 0; k < body.offsets.size(); ++k) one.particles.members.push_back({b, k});
+  one.tree.fit(body.offsets);
+  return one;
+}
+
 void MutualGravity::sort_light_ones(const std::vector<RigidBody>& bodies) {
-  if (crowds_.empty() || crowds_.back().is_one_body) return;
-  std::vector<Member>& members = crowds_.back().members;
   std::vector<Vec3> x;
   std::vector<std::uint32_t> ids;
-  x.reserve(members.size());
-  ids.reserve(members.size());
-  for (const auto& [body, k] : members) {
+  x.reserve(light_.members.size());
+  ids.reserve(light_.members.size());
+  for (const auto& [body, k] : light_.members) {
     x.push_back(bodies[body].place(k));
     ids.push_back(id_[bodies[body].members[k]]);
   }
-  std::vector<Member> sorted;
-  sorted.reserve(members.size());
-  for (const std::uint32_t k : tree::kd_order(x, ids)) sorted.push_back(members[k]);
-  members = std::move(sorted);
+  std::vector<Crowd::Member> sorted;
+  sorted.reserve(light_.members.size());
+  for (const std::uint32_t k : tree::kd_order(x, ids)) sorted.push_back(light_.members[k]);
+  light_.members = std::move(sorted);
 }
 
 std::vector<Pull> MutualGravity::pulls(const std::vector<RigidBody>& bodies) {
   if (evaluations_++ % evaluations_in_order == 0) sort_light_ones(bodies);
-  for (Crowd& c : crowds_) {
-    for (std::size_t k = 0; k < c.members.size(); ++k)
-      c.x[k] = bodies[c.members[k].body].place(c.members[k].k), c.g[k] = {};
-    c.tree.fit(c.x);
-  }
-  for (Crowd& source : crowds_)
-    for (Crowd& target : crowds_) {
-      if (&source == &target && source.is_one_body) continue;
-      source.gravity.accelerations(source.tree, source.x, target.x,
-                                   [&](std::size_t k, const Vec3& g) { target.g[k] += g; });
-    }
+  const auto place = [&](Crowd& crowd) {
+    crowd.x.clear();
+    for (const auto& [body, k] : crowd.members) crowd.x.push_back(bodies[body].place(k));
+  };
+  place(light_);
+  // The largest one is only asked in its own frame.
+  for (std::size_t h = 1; h < heavy_ones_.size(); ++h) place(heavy_ones_[h].particles);
+
   std::vector<Pull> pulls(bodies.size());
-  for (const Crowd& c : crowds_)
-    for (std::size_t k = 0; k < c.members.size(); ++k) {
-      const std::size_t b = c.members[k].body;
-      const Vec3 force = parameters_.particle_mass * c.g[k];
-      pulls[b].force += force;
-      pulls[b].torque += cross(c.x[k] - bodies[b].x, force);
-    }
+  for (std::size_t source = 0; source < heavy_ones_.size(); ++source) {
+    for (std::size_t target = source + 1; target < heavy_ones_.size(); ++target)
+      pull(heavy_ones_[source], heavy_ones_[target].particles, bodies, pulls);
+    pull(heavy_ones_[source], light_, bodies, pulls);
+  }
+  pull_light_ones(bodies, pulls);
   return pulls;
+}
+
+/// By the source on each particle of the crowd, and as much by all of them on the source.
+void MutualGravity::pull(Heavy& source, const Crowd& crowd, const std::vector<RigidBody>& bodies,
+                         std::vector<Pull>& pulls) {
+  if (crowd.members.empty()) return;
+  const RigidBody& body = bodies[source.body];
+  const Mat3 back = transpose(body.turned);
+  seen_.clear();
+  for (const Vec3& x : crowd.x) seen_.push_back(back * (x - body.x));
+  g_.resize(seen_.size());
+  source.gravity.accelerations(source.tree, body.offsets, seen_,
+                               [&](std::size_t k, const Vec3& g) { g_[k] = g; });
+  for (std::size_t k = 0; k < crowd.members.size(); ++k) {
+    const std::size_t b = crowd.members[k].body;
+    const Vec3 force = parameters_.particle_mass * (body.turned * g_[k]);
+    act(pulls[b], bodies[b], crowd.x[k], force);
+    act(pulls[source.body], body, crowd.x[k], -force);
+  }
+}
+
+void MutualGravity::pull_light_ones(const std::vector<RigidBody>& bodies,
+                                    std::vector<Pull>& pulls) {
+  if (light_.members.empty()) return;
+  tree::KdTree tree(light_.members.size());
+  tree.fit(light_.x);
+  g_.resize(light_.members.size());
+  light_gravity_.accelerations(tree, light_.x, [&](std::size_t k, const Vec3& g) { g_[k] = g; });
+  for (std::size_t k = 0; k < light_.members.size(); ++k) {
+    const std::size_t b = light_.members[k].body;
+    act(pulls[b], bodies[b], light_.x[k], parameters_.particle_mass * g_[k]);
+  }
 }
 
 }  // namespace eerie::flight

@@ -14,14 +14,16 @@ struct Pull {
   Vec3 force, torque;
 };
 
-/// The gravity of rigid bodies on each other, by their particles. A heavy body does not act on
-/// itself: the tree's forces within a body do not sum exactly to zero, and over a long flight the
-/// remainder would move it. Light bodies act together, as one set of particles.
+/// The gravity of rigid bodies on each other, by their particles. A heavy body pulls the particles
+/// of the others by its tree, which is fitted once, in the frame that turns with it. They pull back
+/// as much: of two heavy bodies the smaller one's particles are asked. So a heavy body does not act
+/// on itself, and momentum and angular momentum stay to rounding, but for what light bodies do to
+/// each other. These act together, as one set of particles.
 class MutualGravity {
  public:
   /// `heavy` is the least mass of a heavy body, kg.
   MutualGravity(const tree::Gravity::Parameters& parameters, double heavy)
-      : parameters_(parameters), heavy_(heavy) {}
+      : parameters_(parameters), heavy_(heavy), light_gravity_(parameters) {}
 
   /// Sorts the members of heavy bodies into kd order. Call it first, and whenever bodies have
   /// changed by more than motion.
@@ -31,25 +33,33 @@ class MutualGravity {
   std::vector<Pull> pulls(const std::vector<RigidBody>& bodies);
 
  private:
-  /// A particle, by its body and its index in it.
-  struct Member {
-    std::size_t body, k;
-  };
-  /// Particles that act together, in kd order.
+  /// Particles that are asked together, in a kd order, each by its body and its index in it.
   struct Crowd {
+    struct Member {
+      std::size_t body, k;
+    };
     std::vector<Member> members;
-    std::vector<Vec3> x, g;
+    std::vector<Vec3> x;
+  };
+  struct Heavy {
+    std::size_t body;
+    Crowd particles;
     tree::KdTree tree;
     tree::Gravity gravity;
-    bool is_one_body;
   };
-  Crowd crowd(std::vector<Member> members, bool is_one_body) const;
+  Heavy heavy(std::size_t b, const RigidBody& body) const;
   void sort_light_ones(const std::vector<RigidBody>& bodies);
+  void pull(Heavy& source, const Crowd& crowd, const std::vector<RigidBody>& bodies,
+            std::vector<Pull>& pulls);
+  void pull_light_ones(const std::vector<RigidBody>& bodies, std::vector<Pull>& pulls);
 
   tree::Gravity::Parameters parameters_;
   double heavy_;
-  std::vector<Crowd> crowds_;
+  std::vector<Heavy> heavy_ones_;  ///< the largest first
+  Crowd light_;
+  tree::Gravity light_gravity_;
   std::vector<std::uint32_t> id_;  ///< ids of the particles of the state
+  std::vector<Vec3> seen_, g_;     ///< of the particles of one crowd
   long evaluations_ = 0;
 };
 

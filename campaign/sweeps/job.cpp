@@ -32,8 +32,8 @@ double expected_end_s(const Scene& scene) {
 }
 
 /// Of the steps at the scene's own sound speed, what remains where matter softens while it moves
-/// slowly: 0.19 and 0.23 for the reference impact at 1,000 and 5,000 particles per target.
-constexpr double typical_part_with_softening = 0.23;
+/// slowly: 0.18 and 0.17 for the reference impact at 1,000 and 5,000 particles per target.
+constexpr double typical_part_with_softening = 0.18;
 
 double expected_particle_steps(const Scene& scene) {
   // Waves are fastest in the less dense body, whose particles are the larger ones.

@@ -84,6 +84,15 @@ const remnants::Remnants& Watch::found_in(const particles::State& state) {
   return found_;
 }
 
+/// A look asks up to three times, with other times ahead.
+double Watch::flow_speed_in(const io::Snapshot& snapshot) {
+  if (snapshot.state.time != flow_speed_at_) {
+    flow_speed_ = step::flow_speed(snapshot);
+    flow_speed_at_ = snapshot.state.time;
+  }
+  return flow_speed_;
+}
+
 run::LookAnswer Watch::look(const io::Snapshot& snapshot, const run::LookQuestion& question) {
   const remnants::Remnants& found = found_in(snapshot.state);
   looks_.add(ending::look(snapshot.state.time, found, scene_.end.settled));
@@ -115,7 +124,7 @@ bool Watch::is_settled(const io::Snapshot& snapshot, const remnants::Remnants& f
 }
 
 particles::Softening Watch::softening(const io::Snapshot& snapshot, const remnants::Remnants& found,
-                                      double horizon) const {
+                                      double horizon) {
   const particles::Softening now = snapshot.state.softening;
   if (is_unpredictable(found)) return {};
   if (may_fly(scene_) && ending::impact_ahead(found, scene_.end.settled)) return now;
@@ -123,15 +132,15 @@ particles::Softening Watch::softening(const io::Snapshot& snapshot, const remnan
   if (ending::liveliness(looks_.rows(), found, horizon, late * sound, scene_.end.settled).empty())
     return {late, true};
   if (scene_.numerics.flow_mach == 0) return now;
-  const double fastest = std::max(ending::meeting_speed(found, horizon, scene_.end.settled),
-                                  step::flow_speed(snapshot));
+  const double fastest =
+      std::max(ending::meeting_speed(found, horizon, scene_.end.settled), flow_speed_in(snapshot));
   const double needed = fastest / (scene_.numerics.flow_mach * sound);
   return {std::min(now.sound_speed, power_of_half_from(std::max(needed, late))), false};
 }
 
 /// What is ahead counts up to the end of the run. More of it is seen where that is later, so an
 /// answer that is the same for the whole horizon is the same for every later end.
-bool Watch::end_matters(const io::Snapshot& snapshot, const run::LookQuestion& question) const {
+bool Watch::end_matters(const io::Snapshot& snapshot, const run::LookQuestion& question) {
   const Scene::Settled& settled = scene_.end.settled;
   const double seen = ending::horizon(scene_.end, snapshot.state.time), all = settled.horizon_s;
   const double mass = snapshot.state.mass * static_cast<double>(snapshot.state.size());

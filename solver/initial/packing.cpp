@@ -1,9 +1,11 @@
 #include "solver/initial/packing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/base/packs.hpp"
 #include "solver/base/tensor.hpp"
 
 namespace eerie::initial {
@@ -65,22 +67,24 @@ class PeriodicGlass {
               for (int d = k - 1; d <= k + 1; ++d) {
                 const Vec3 shift{period(a), period(b), period(d)};
                 for (const Vec3& p : content[place(wrap(a), wrap(b), wrap(d))])
-                  partners_.push_back(p + shift);
+                  partners_.add(p + shift);
               }
           for (const Vec3& p : content[place(i, j, k)]) points_.push_back(moved(p));
         }
   }
 
   Vec3 moved(const Vec3& p) const {
-    Vec3 push;
-    for (const Vec3& partner : partners_) {
-      const Vec3 d = p - partner;
-      const double r2 = norm2(d);
-      if (r2 >= reach * reach || r2 == 0) continue;
-      const double r = std::sqrt(r2), s = 1 - r / reach;
-      push += (s * s / r) * d;
+    DoublePack push[3] = {};
+    for (const auto& [x, y, z] : partners_.packs) {
+      const DoublePack dx = p.x - x, dy = p.y - y, dz = p.z - z;
+      const DoublePack r2 = dx * dx + dy * dy + dz * dz + 1e-30;  // itself pushes by 0, not 0/0
+      const DoublePack per_r = inverse_sqrt(r2), s = positive_part(1 - (1 / reach) * r2 * per_r),
+                       strength = s * s * per_r;
+      push[0] += strength * dx, push[1] += strength * dy, push[2] += strength * dz;
     }
-    Vec3 q = p + mobility * push;
+    double sum[16];
+    lane_sums(push, sum);
+    Vec3 q = p + mobility * Vec3{sum[0], sum[1], sum[2]};
     for (int k = 0; k < 3; ++k) q[k] -= side_ * std::floor(q[k] / side_);
     return q;
   }
@@ -91,9 +95,24 @@ class PeriodicGlass {
   int wrap(int i) const { return (i + cells_) % cells_; }
   double period(int i) const { return i < 0 ? -side_ : i >= cells_ ? side_ : 0; }
 
+  /// Points by coordinates; those that fill up the last pack are far away.
+  struct Partners {
+    std::vector<std::array<DoublePack, 3>> packs;
+    std::size_t count = 0;
+
+    void clear() { packs.clear(), count = 0; }
+    void add(const Vec3& p) {
+      const auto lane = static_cast<int>(count++ % lanes<double>);
+      if (lane == 0) packs.push_back({splat(far), splat(far), splat(far)});
+      for (int k = 0; k < 3; ++k) packs.back()[static_cast<std::size_t>(k)][lane] = p[k];
+    }
+    static constexpr double far = 1e9;
+  };
+
   double side_;
   int cells_;
-  std::vector<Vec3> points_, partners_;
+  std::vector<Vec3> points_;
+  Partners partners_;
 };
 
 /// Of the points of a periodic pattern (period `side`, unit density), the `n` innermost of a body

@@ -200,7 +200,7 @@ void step::Solver::take_stages(const Limits& limits) {
   while (dt_ > (1 + rounding) * ChebyshevStages(count).reach() * limits.viscosity) ++count;
   stages_of_viscosity_ = ChebyshevStages(count);
   const bool several = stages_of_viscosity_.count() > 1;
-  for (std::vector<Vec3>* one : {&first_brake_, &change_, &other_change_})
+  for (std::vector<Vec3>* one : {&change_, &change_before_})
     one->resize(several ? state_.size() : 0);
 }
 
@@ -219,8 +219,7 @@ void step::Solver::sum_forces(double ahead) {
           std::array<Vec3, lanes<double>> before;
           std::copy_n(&rates_.dv_dt[i], count, before.begin());
           set_forces(i, count, s);
-          for (std::size_t l = 0; !first_brake_.empty() && l < count; ++l)
-            first_brake_[i + l] = acceleration_by_viscosity(i + l, s, l);
+          for (std::size_t l = 0; !change_.empty() && l < count; ++l) begin_stages(i + l, s, l);
           if constexpr (std::remove_cvref_t<decltype(sums)>::extended)
             if (fields_.energy)
               for (std::size_t l = 0; l < count; ++l)
@@ -229,14 +228,18 @@ void step::Solver::sum_forces(double ahead) {
   });
 }
 
+/// The first stage of viscosity. What is left of the acceleration stays in all of them.
+void step::Solver::begin_stages(std::size_t i, const sph::PackedSums& s, std::size_t l) {
+  change_[i] = (stages_of_viscosity_.first() * dt_) * rates_.dv_dt[i];
+  change_before_[i] = {};
+  rates_.dv_dt[i] -= acceleration_by_viscosity(i, s, l);
+}
+
 /// Viscosity damps in several stages what one would not, at the positions of the first, while all
 /// other forces stay. The mean acceleration of the step is what pushes.
 void step::Solver::damp_in_stages() {
   const ChebyshevStages& stages = stages_of_viscosity_;
   const std::size_t n = state_.size();
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < n; ++i)
-    change_[i] = (stages.first() * dt_) * rates_.dv_dt[i], other_change_[i] = {};
   for (int stage = 2; stage <= stages.count(); ++stage) {
     const ChebyshevStages::Weights weight = stages.weights(stage);
     visit_sums([&](auto& sums) {
@@ -245,14 +248,13 @@ void step::Solver::damp_in_stages() {
       sums.template sweep<sph::Part::viscous>(
           lists_, n, [&](std::size_t i, std::size_t count, const auto& s) {
             for (std::size_t l = 0, k = i; l < count; ++l, ++k) {
-              const Vec3 rate =
-                  rates_.dv_dt[k] - first_brake_[k] + acceleration_by_viscosity(k, s, l);
-              other_change_[k] = weight.last * change_[k] + weight.before * other_change_[k] +
-                                 (weight.step * dt_) * rate;
+              const Vec3 rate = rates_.dv_dt[k] + acceleration_by_viscosity(k, s, l);
+              change_before_[k] = weight.last * change_[k] + weight.before * change_before_[k] +
+                                  (weight.step * dt_) * rate;
             }
           });
     });
-    std::swap(change_, other_change_);
+    std::swap(change_, change_before_);
   }
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < n; ++i) rates_.dv_dt[i] = change_[i] / dt_;
