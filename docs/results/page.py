@@ -176,7 +176,7 @@ def certainty(eerie, database, runs, standard):
             some = [r for v in cells for r in v if int(r["seed"]) <= seeds]
             rows.append([question, name.format(n=len(some)), f"{sum(r['core_s'] for r in some) / 3600:.2f} h",
                          ridge_of_first_seeds(eerie, database, phi, seeds)])
-    study = list(csv.DictReader((HERE.parent / "notebook/convergence/default-runs.csv").open()))
+    study = list(csv.DictReader((HERE.parent / "notebook/convergence/default-0.1.0-runs.csv").open()))
     for question, case, place in (("b/a of the reference impact", "A", ("1", "40", "20", "15")),
                                   ("b/a of the unequal pair", "D", ("0.5", "50", "25", "20"))):
         def add(particles, ratios, seconds):

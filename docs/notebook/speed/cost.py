@@ -16,6 +16,7 @@ import resource
 import shutil
 import statistics
 import subprocess
+import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -36,8 +37,10 @@ def run(program, scene, folder):
     out = folder / "out"
     shutil.rmtree(out, ignore_errors=True)
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    subprocess.run([program, "solve", scene_file, "--out", out, "--threads", "1"], check=True,
-                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env={**os.environ, "OMP_NUM_THREADS": "1"})
+    done = subprocess.run([program, "solve", scene_file, "--out", out, "--threads", "1"], text=True, capture_output=True,
+                          env={**os.environ, "OMP_NUM_THREADS": "1"})
+    if done.returncode:
+        sys.exit(f"{program}: {done.stderr.strip()}")
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     return seconds, json.loads((out / "result.json").read_text())
 
@@ -79,12 +82,12 @@ def main():
             key = [str(a.particles), case["name"], str(pair)]
             if any([r["particles_per_target"], r["case"], r["pair"]] == key for r in rows):
                 continue
-            scene = merged(study["scene"], case["scene"])
-            scene = merged(scene, {"numerics": {"particles_per_target": a.particles, "seed": 1}})
+            size = {"numerics": {"particles_per_target": a.particles, "seed": 1}}
+            new = {"numerics": {**study["scene"]["numerics"], "scheme": study["schemes"][0]}}
+            scene = merged(merged({"end": study["scene"]["end"]}, case["scene"]), size)
             with tempfile.TemporaryDirectory() as folder:
                 folder = pathlib.Path(folder)
-                new = merged(scene, {"numerics": {"scheme": study["schemes"][0]}})
-                found = run(a.old, merged(scene, {"numerics": BEFORE}), folder), run(a.new, new, folder)
+                found = run(a.old, merged(scene, {"numerics": BEFORE}), folder), run(a.new, merged(scene, new), folder)
             rows.append(dict(zip(HEAD, [*key, *row_of(found)])))
             with a.output.open("w", newline="") as file:
                 writer = csv.DictWriter(file, HEAD)
