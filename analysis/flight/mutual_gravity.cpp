@@ -110,8 +110,7 @@ void MutualGravity::pull_light_ones(const std::vector<RigidBody>& bodies,
   if (light_.members.empty()) return;
   tree::KdTree tree(light_.members.size());
   tree.fit(light_.x);
-  g_.resize(light_.members.size());
-  light_gravity_.accelerations(tree, light_.x, [&](std::size_t k, const Vec3& g) { g_[k] = g; });
+  light_gravity_.accelerations(tree, light_.x, g_);
   for (std::size_t k = 0; k < light_.members.size(); ++k) {
     const std::size_t b = light_.members[k].body;
     act(pulls[b], bodies[b], light_.x[k], parameters_.particle_mass * g_[k]);

@@ -17,8 +17,8 @@ struct Pull {
 /// The gravity of rigid bodies on each other, by their particles. A heavy body pulls the particles
 /// of the others by its tree, which is fitted once, in the frame that turns with it. They pull back
 /// as much: of two heavy bodies the smaller one's particles are asked. So a heavy body does not act
-/// on itself, and momentum and angular momentum stay to rounding, but for what light bodies do to
-/// each other. These act together, as one set of particles.
+/// on itself. Light bodies act together, as one set of particles without net force or torque. So
+/// momentum and angular momentum stay to rounding.
 class MutualGravity {
  public:
   /// `heavy` is the least mass of a heavy body, kg.

@@ -6,6 +6,7 @@
 
 #include "solver/sph/kernel.hpp"
 #include "solver/step/solver.hpp"
+#include "solver/step/surroundings.hpp"
 
 namespace eerie::step {
 
@@ -20,34 +21,41 @@ struct Arrangement {
   bool inside;
 };
 
+template <class Kernel>
+Arrangement arrangement(const Surroundings<Kernel>& seen) {
+  Pack<float> sum{}, neighbours{}, gx{}, gy{}, gz{};
+  seen.visit_packs([&](std::size_t first) {
+    const auto [dx, dy, dz] = seen.offsets(first);
+    const Pack<float> r2 = dx * dx + dy * dy + dz * dz + 1e-12f;  // 1/r is finite
+    const Pack<float> per_r = inverse_sqrt(r2), r = r2 * per_r;
+    const Pack<float> slope = seen.weighed(first, Kernel::dw_over_q(r, per_r));
+    sum += seen.weighed(first, Kernel::w(r));
+    neighbours += r2 < 4 ? splat(1.f) : splat(0.f);  // itself is one of them
+    gx += slope * dx, gy += slope * dy, gz += slope * dz;
+  });
+  const double unevenness =
+      seen.per_volume / seen.rho0 * norm(Vec3{total(gx), total(gy), total(gz)});
+  return {seen.per_volume * total(sum),
+          unevenness < evenness && total(neighbours) > fewest_neighbours + 1};
+}
+
 /// Of every particle, by plain sums over volumes at rest and in the units of its own body.
 template <class Kernel>
-std::vector<Arrangement> arrangements(const particles::State& s,
-                                      const material::OfBodies& materials,
-                                      const std::array<double, 2>& size) {
-  tree::KdTree tree(s.size());
-  tree.fit(s.x);
-  tree::NeighbourList lists(2 * s.h, 0);
-  lists.build(tree, s.x);
+std::vector<Arrangement> arrangements(const Solver& solver, const std::array<double, 2>& size) {
+  const particles::State& s = solver.state();
   std::vector<Arrangement> found(s.size());
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::size_t b = 0; b < lists.buckets(); ++b) {
-    for (std::size_t k = 0, i = b * tree::bucket_size; k < tree::bucket_size && i < s.size();
-         ++k, ++i) {
-      const double h = s.h * size[s.body[i]], rho0 = materials.reference_density(s.body[i]);
-      const double scale = Kernel::normalisation / cubed(h);
-      double density = s.mass * scale * Kernel::w(0.0), neighbours = 0;
-      Vec3 gradient;
-      lists.visit_listed(b, k, s.x, [&](const Vec3& there, std::size_t j) {
-        const Vec3 d = s.x[i] - there;
-        const double q = norm(d) / h;
-        if (q >= 2 || q == 0) return;
-        ++neighbours;
-        const double V = s.mass / materials.reference_density(s.body[j]);
-        density += rho0 * V * scale * Kernel::w(q);
-        gradient += (V * scale * Kernel::dw_over_q(q, 1 / q) / h) * d;
-      });
-      found[i] = {density, norm(gradient) < evenness && neighbours > fewest_neighbours};
+#pragma omp parallel
+  {
+    Around around;
+#pragma omp for schedule(dynamic, 8)
+    for (std::size_t b = 0; b < solver.lists().buckets(); ++b) {
+      const std::size_t begin = b * tree::bucket_size;
+      around.fill(solver.lists(), b, s, solver.materials());
+      for (std::size_t k = 0; k < tree::bucket_size && begin + k < s.size(); ++k) {
+        const double h = s.h * size[s.body[begin + k]];
+        found[begin + k] =
+            arrangement(Surroundings<Kernel>(around, begin, k, s, solver.materials(), h));
+      }
     }
   }
   return found;
@@ -59,13 +67,11 @@ Diagnosis diagnose(const io::Snapshot& snapshot) {
   // A solver whose friction feels viscosity has summed what viscosity carries.
   Scene scene = snapshot.scene;
   scene.material.drucker_prager.pressure = "total";
-  scene.environment.self_gravity = false;  // sums do not need it, and it costs more than they do
-  const Solver solver(scene, snapshot.state);
+  scene.numerics.list_skin = 0;
+  const Solver solver = Solver::for_sums(scene, snapshot.state);
   const particles::State& s = solver.state();
   const std::vector<Arrangement> arrangement = std::visit(
-      [&](auto kernel) {
-        return arrangements<decltype(kernel)>(s, solver.materials(), particle_sizes(scene));
-      },
+      [&](auto kernel) { return arrangements<decltype(kernel)>(solver, particle_sizes(scene)); },
       sph::make_kernel(scene.numerics.kernel));
   Diagnosis d;
   double volume = 0, inside = 0;

@@ -172,9 +172,10 @@ std::size_t Solver::first_collapsed(std::size_t i, std::size_t count, const sph:
 }
 
 void Solver::check_collapse(std::size_t singular) const {
-  check(singular, "singular-matrix",
-        "its neighbours have collapsed onto a plane or a line; lower numerics.cfl or raise "
-        "numerics.viscosity_alpha");
+  if (goes_on_)
+    check(singular, "singular-matrix",
+          "its neighbours have collapsed onto a plane or a line; lower numerics.cfl or raise "
+          "numerics.viscosity_alpha");
 }
 
 /// Rates of `count` particles from i on; several at once, as everything here is arithmetic.

@@ -10,7 +10,6 @@
 #include "solver/base/error.hpp"
 #include "solver/base/principal.hpp"
 #include "solver/io/snapshot.hpp"
-#include "solver/scene/tide.hpp"
 #include "solver/step/late.hpp"
 #include "solver/step/walls.hpp"
 
@@ -20,9 +19,6 @@ namespace {
 
 /// Particles are sorted again with every so many list builds: their order decays slowly.
 constexpr long builds_per_order = 8;
-constexpr long steps_without_gravity = 10;
-/// Part of a whole cycle from which on the change of gravity says something about its rate.
-constexpr double shortest_telling_cycle = 0.3;
 /// Limit from accelerations, dt <= 0.25 sqrt(h/|a|) (Monaghan 1992).
 constexpr double acceleration_safety = 0.25;
 /// Viscosity damps the shortest waves of packed particles at up to 1.66 alpha c/h (the largest
@@ -74,7 +70,19 @@ Solver::Sums Solver::make_sums() const {
 }
 
 Solver::Solver(const Scene& scene, particles::State state)
-    : Solver(scene, std::move(state), particles::Rates{}, particles::Restart{}, {}) {}
+    : Solver(scene, std::move(state), particles::Rates{}, particles::Restart{}, {}) {
+  evaluate(0);  // for the correction matrices
+  evaluate(0);
+  evaluate_gravity(0, 0);
+}
+
+Solver Solver::for_sums(const Scene& scene, particles::State state) {
+  Solver solver(scene, std::move(state), particles::Rates{}, particles::Restart{}, {});
+  solver.goes_on_ = false;
+  solver.evaluate(0);
+  if (solver.fields_.shear) solver.evaluate(0);  // viscosity needs the shear of a sum before
+  return solver;
+}
 
 Solver::Solver(const Scene& scene, particles::State state, particles::Rates rates,
                const particles::Restart& restart, std::vector<double> pressure)
@@ -124,9 +132,6 @@ Solver::Solver(const Scene& scene, particles::State state, particles::Rates rate
     tree_.fit(state_.x);
     lists_.set_support(largest_support());
     lists_.build(tree_, state_.x);
-    evaluate(0);  // for the correction matrices
-    evaluate(0);
-    evaluate_gravity(0, 0);
   } else {
     tree_.fit(restart.list_x);
     lists_.set_support(restart.list_support);
@@ -273,34 +278,6 @@ void Solver::kick(double duration) {
   check(offender, "not-finite", "lower numerics.cfl");
 }
 
-/// Gravity anew, and its rate from the evaluation `elapsed` seconds ago (0: there was none).
-/// Between evaluations it goes on linearly. Holding it constant would twist every spinning body;
-/// kicking it in lumps would shake a resting one, so that viscosity, not friction, carries it.
-/// A cycle that an end time has cut short keeps the old rate: over a moment g changes by less than
-/// its rounding, which a whole cycle would magnify.
-void Solver::evaluate_gravity(double elapsed, double planned) {
-  const StageTimer timer(stages_, Stage::gravity);
-  const auto [gx, gy, gz] = scene_.environment.gravity_m_per_s2;
-  const Vec3 uniform{gx, gy, gz};
-  if (!scene_.environment.self_gravity) {
-    std::fill(rates_.g.begin(), rates_.g.end(), Vec3f(uniform));
-    return;
-  }
-  const Tide tide(scene_.environment.primary);
-  const Vec3 primary = tide.place(state_.time);
-  // The mean rate of the cycle behind lags by half of it. What it changed by makes up for most of
-  // that; all of it would let errors go on from cycle to cycle.
-  const double lead = is_staggered() && knows_gravity_rate() ? 0.5 : 0;
-  tree_.fit(state_.x);
-  gravity_.accelerations(tree_, state_.x, [&](std::size_t i, const Vec3& attraction) {
-    const Vec3 before = rates_.g[i];
-    rates_.g[i] = Vec3f(attraction + uniform + tide.acceleration(state_.x[i], primary));
-    if (elapsed <= shortest_telling_cycle * planned) return;
-    const Vec3 rate = (Vec3(rates_.g[i]) - before) / elapsed, last = Vec3(rates_.dg_dt[i]);
-    rates_.dg_dt[i] = Vec3f(rate + lead * (rate - last));
-  });
-}
-
 /// The corrected gradient and its dual force stretch stresses at a free surface by the largest
 /// eigenvalue of L, about two, and with them the frequency of the shortest waves there. Rubble
 /// carries no stress at its surface and needs no shorter steps.
@@ -341,33 +318,6 @@ Solver::Limits Solver::time_step_limits() const {
   if (is_staggered() && thickest > 0)
     limits.viscosity = (viscosity_lags() ? lagging_viscous_safety : viscous_safety) / thickest;
   return limits;
-}
-
-bool Solver::knows_gravity_rate() const {
-  return std::ranges::any_of(rates_.dg_dt, [](const Vec3f& r) { return r != Vec3f{}; });
-}
-
-/// Steps between evaluations of gravity, so that its linear extrapolation over t errs by
-/// (t/T)^2/2 = gravity_tolerance. T, the time in which the field changes, is the shorter one of
-/// the dynamical time (G rho0)^-1/2 and of the time in which particles cross the radius of a body
-/// of the whole mass.
-/// Without self-gravity cycles are short, so that dt keeps up with laboratory scenes.
-long Solver::steps_in_cycle() const {
-  const long interval = scene_.numerics.gravity_interval;
-  if (!scene_.environment.self_gravity) return std::min(interval, steps_without_gravity);
-  double v2 = 0;
-  for (const Vec3& v : state_.v) v2 += norm2(v);
-  const double n = static_cast<double>(state_.size());
-  const double rho0 = materials_.highest_density();
-  const double radius = std::cbrt(3 * n * state_.mass / (4 * pi * rho0));
-  const double change = std::max(std::sqrt(newton_G * rho0), std::sqrt(v2 / n) / radius);
-  // After a start its rate is not known yet: g is constant, which errs by t/T. Other integrators
-  // keep the bits of what was computed with them.
-  const bool is_linear = !is_staggered() || knows_gravity_rate();
-  const double tolerance = scene_.numerics.gravity_tolerance,
-               reach = is_linear ? std::sqrt(2 * tolerance) : tolerance;
-  const double steps = reach / (change * dt_);
-  return static_cast<long>(std::clamp(steps, 1.0, static_cast<double>(interval)));
 }
 
 void Solver::damp(double factor, const Vec3& omega) {

@@ -31,7 +31,12 @@ class Solver {
   /// Takes the state, sorts it into memory order and evaluates its first rates. Where the state
   /// lacks fields of optional physics, its energy starts at zero and its material undamaged.
   Solver(const Scene& scene, particles::State state);
-  /// Continues from a checkpoint with its memory order, lists, rates and pressures.
+  /// One that is only looked at: pressures and what viscosity carries are those of the state. Its
+  /// forces lack their corrections, which need a sum before, and gravity; no neighbourhood is too
+  /// poor for it.
+  static Solver for_sums(const Scene& scene, particles::State state);
+  /// Continues from a checkpoint with its memory order, lists, rates and pressures. From an empty
+  /// `restart` nothing is evaluated yet.
   Solver(const Scene& scene, particles::State state, particles::Rates rates,
          const particles::Restart& restart, std::vector<double> pressure);
 
@@ -52,6 +57,7 @@ class Solver {
   }
   const std::vector<double>& pressure() const { return pressure_; }
   const material::OfBodies& materials() const { return materials_; }
+  const tree::NeighbourList& lists() const { return lists_; }
   double dt() const { return dt_; }
   const StageTimes& stages() const { return stages_; }
   StageTimes& stages() { return stages_; }
@@ -213,6 +219,7 @@ class Solver {
   ChebyshevStages stages_of_viscosity_;  ///< of this cycle
   /// The changes of velocity by the last one and the one before; empty where there is but one.
   std::vector<Vec3> change_, change_before_;
+  bool goes_on_ = true;     ///< false of a solver that is only looked at
   long since_gravity_ = 0;  ///< steps since gravity was evaluated
   double dt_ = 0;
   long list_builds_ = 0, builds_in_order_ = 0, uncorrected_ = 0;

@@ -205,13 +205,22 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& sources,
 
 void Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& x, std::vector<Vec3>& g) {
   g.resize(x.size());
-  accelerations(tree, x, [&](std::size_t i, const Vec3& a) { g[i] = a; });
+  const RigidField net = accelerations(tree, x, [&](std::size_t i, const Vec3& a) { g[i] = a; });
+  for (std::size_t i = 0; i < x.size(); ++i) g[i] -= net.at(x[i]);
 }
 
-void Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& x,
-                            const std::function<void(std::size_t, const Vec3&)>& store) {
+RigidField Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& x,
+                                  const std::function<void(std::size_t, const Vec3&)>& store) {
   const double scale = newton_G * p_.particle_mass;
-  walk<false>(tree, x, x, [&](std::size_t i, const Vec3& a, double) { store(i, scale * a); });
+  // Sums of each bucket, so that every number of threads finds the same.
+  std::vector<RigidSums> parts(bucket_count(x.size()));
+  walk<false>(tree, x, x, [&](std::size_t i, const Vec3& a, double) {
+    store(i, scale * a);
+    parts[i / bucket_size].add(x[i] - moments_.front().centre, scale * a);
+  });
+  RigidSums sum;
+  for (const RigidSums& part : parts) sum += part;
+  return sum.field(moments_.front().centre, static_cast<double>(x.size()));
 }
 
 void Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& sources,

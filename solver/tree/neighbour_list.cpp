@@ -98,10 +98,12 @@ struct Builder {
     for (std::uint32_t k = 0; k < last - first; ++k) {
       list.begin[k] = static_cast<std::uint32_t>(listed);
       const std::size_t neighbours = append_neighbours(k);
-      // Bulk particles need no slack of their own: their nearest unlisted one is a skin away.
-      slack[first + k] = neighbours > loose_neighbours || !images.empty()
-                             ? -1.0f
-                             : static_cast<float>(unlisted_distance(first + k) - support);
+      // Bulk particles need no slack of their own: their nearest unlisted one is a skin away. That
+      // of loose ones is never below 0, which would make them bulk: without a skin it is rounding.
+      slack[first + k] =
+          neighbours > loose_neighbours || !images.empty()
+              ? -1.0f
+              : std::max(0.f, static_cast<float>(unlisted_distance(first + k) - support));
     }
     for (std::size_t k = last - first; k <= bucket_size; ++k)
       list.begin[k] = static_cast<std::uint32_t>(listed);

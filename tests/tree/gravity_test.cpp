@@ -4,8 +4,10 @@
 #include <omp.h>
 
 #include <cmath>
+#include <utility>
 
 #include "solver/base/constants.hpp"
+#include "solver/base/mean.hpp"
 #include "tests/support/particles.hpp"
 #include "tests/tree/clouds.hpp"
 
@@ -193,16 +195,45 @@ TEST(Gravity, BallHasTheFieldOfAHomogeneousSphere) {
   EXPECT_NEAR(sum / weight / (4 * pi / 3 * newton_G * particle_mass), 1, 0.02);
 }
 
-TEST(Gravity, MomentumIsConservedToTheErrorOfTheForce) {
-  const std::vector<Vec3> x = test::in_kd_order(cloud("sheared", 2000));
-  const auto net = [&](double theta) {
-    const std::vector<Vec3> g = tree_accelerations(x, theta);
-    Vec3 sum;
-    for (const Vec3& a : g) sum += a;
-    return norm(sum) / (rms(g) * static_cast<double>(x.size()));
-  };
-  EXPECT_LT(net(0), 1e-7);    // pairs are equal and opposite: rounding of single precision
-  EXPECT_LT(net(0.5), 1e-4);  // opened one-sidedly: a fraction of the force error
+/// Sums of x x g about the centre and of g, each over that of the magnitudes.
+std::pair<double, double> net_torque_and_force(const std::vector<Vec3>& x,
+                                               const std::vector<Vec3>& g) {
+  Vec3 torque, force;
+  double torques = 0, forces = 0;
+  const Vec3 centre = mean(x);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Vec3 r = x[i] - centre;
+    torque += cross(r, g[i]), torques += norm(r) * norm(g[i]);
+    force += g[i], forces += norm(g[i]);
+  }
+  return {norm(torque) / torques, norm(force) / forces};
+}
+
+TEST(Gravity, HasNeitherNetForceNorNetTorque) {
+  for (const char* name : cloud_names) {
+    const std::vector<Vec3> x = test::in_kd_order(cloud(name, 2000));
+    const auto [torque, force] = net_torque_and_force(x, tree_accelerations(x, 0.5));
+    EXPECT_LT(torque, 1e-13) << name;  // sums in double precision
+    EXPECT_LT(force, 1e-13) << name;
+  }
+}
+
+TEST(Gravity, IsNearerToTheDirectSumWithoutThem) {
+  for (const char* name : cloud_names) {
+    const std::vector<Vec3> x = test::in_kd_order(cloud(name, 2000)),
+                            exact = direct_accelerations(x);
+    std::vector<Vec3> g(x.size());
+    const RigidField net = Gravity({particle_mass, h, 0.5})
+                               .accelerations(test::fitted_tree(x), x,
+                                              [&](std::size_t i, const Vec3& a) { g[i] = a; });
+    const auto [torque, force] = net_torque_and_force(x, g);
+    EXPECT_GT(torque, 1e-8) << name << ": a tree has both";
+    EXPECT_GT(force, 1e-8) << name;
+    const double with = error(g, exact);
+    for (std::size_t i = 0; i < x.size(); ++i) g[i] -= net.at(x[i]);
+    EXPECT_LT(error(g, exact), with) << name;
+    EXPECT_LT(error(g, tree_accelerations(x, 0.5)), 1e-12) << name;
+  }
 }
 
 TEST(Gravity, IsTheSameForAnyNumberOfThreads) {

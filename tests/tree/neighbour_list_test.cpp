@@ -75,6 +75,23 @@ TEST(NeighbourList, HoldsEveryPairWithinReachAndNoOther) {
       }
 }
 
+TEST(NeighbourList, ParticlesWithFewNeighboursAreLooseWithASkinAndWithout) {
+  for (const double skin : {0.0, 0.24}) {
+    std::size_t loose = 0;
+    for (const char* name : cloud_names) {
+      const std::vector<Vec3> x = test::in_kd_order(cloud(name, 1000));
+      const NeighbourList lists = built(x, skin);
+      std::vector<std::size_t> neighbours(x.size());
+      for (const auto& [i, j] : listed(lists, x.size())) ++neighbours[i];
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        EXPECT_EQ(lists.is_bulk(i), neighbours[i] > 8) << name << ", skin " << skin;
+        loose += !lists.is_bulk(i);
+      }
+    }
+    EXPECT_GT(loose, 100) << "guards the test";
+  }
+}
+
 TEST(NeighbourList, CloudsHaveNeighboursAndStrangers) {
   // Guards the test above against clouds in which all or no pairs are near.
   for (const char* name : cloud_names) {

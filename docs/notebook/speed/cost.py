@@ -3,8 +3,9 @@
 
 usage: docs/notebook/speed/cost.py OLD NEW PARTICLES [-n PAIRS] [-c CASES] [-o TABLE.csv]
 OLD and NEW are programs. OLD runs the scheme of before, `closing-voids` with a late phase at c/4; NEW the default. The
-impacts are those of sweeps/studies/default.json; CASES, such as A,G, are some of them. Seconds are of the
-processor, in user mode. The table is written after each pair, and pairs that stand in it are kept.
+impacts are those of sweeps/studies/default.json; CASES, such as A,G, are some of them. Pair k is of seed k: how long
+an impact takes to settle is a matter of chance. Seconds are of the processor, in user mode. The table is written
+after each pair, and pairs that stand in it are kept.
 """
 import argparse
 import csv
@@ -82,7 +83,7 @@ def main():
             key = [str(a.particles), case["name"], str(pair)]
             if any([r["particles_per_target"], r["case"], r["pair"]] == key for r in rows):
                 continue
-            size = {"numerics": {"particles_per_target": a.particles, "seed": 1}}
+            size = {"numerics": {"particles_per_target": a.particles, "seed": pair}}
             new = {"numerics": {**study["scene"]["numerics"], "scheme": study["schemes"][0]}}
             scene = merged(merged({"end": study["scene"]["end"]}, case["scene"]), size)
             with tempfile.TemporaryDirectory() as folder:
