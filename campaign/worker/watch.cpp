@@ -131,7 +131,8 @@ particles::Softening Watch::softening(const io::Snapshot& snapshot, const remnan
   const double late = softest_sound_speed(scene_), sound = bulk_sound_speed(scene_);
   if (ending::liveliness(looks_.rows(), found, horizon, late * sound, scene_.end.settled).empty())
     return {late, true};
-  if (scene_.numerics.flow_mach == 0) return now;
+  const bool is_softest = now.sound_speed <= power_of_half_from(late);
+  if (scene_.numerics.flow_mach == 0 || is_softest) return now;
   const double fastest =
       std::max(ending::meeting_speed(found, horizon, scene_.end.settled), flow_speed_in(snapshot));
   const double needed = fastest / (scene_.numerics.flow_mach * sound);

@@ -19,7 +19,7 @@ inline constexpr double full_neighbourhood = 1.8;
 /// Whether C belongs to a full neighbourhood that lies in one plane or on one line. No sound
 /// arrangement does; it means a collapse. `filling` is the density over the reference density.
 /// Loose particles have large volumes, so that a few of them make a large C. A dense particle among
-/// a few loose ones still looks full here, so callers must count its neighbours, too.
+/// a few loose ones still looks full here, so callers must look at the volumes of its neighbours.
 inline bool is_collapsed(const SymTensor& C, double filling = 1) {
   return !(determinant(C) > smallest_correctable_determinant) &&
          !(trace(C) * std::min(filling, 1.0) < full_neighbourhood);

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/base/constants.hpp"
 #include "solver/base/packs.hpp"
 #include "solver/base/principal.hpp"
 #include "solver/scene/tide.hpp"
+#include "solver/sph/kernel.hpp"
 #include "solver/sph/stress.hpp"
 #include "solver/step/solver.hpp"
 
@@ -159,6 +161,27 @@ void Solver::set_heating(std::size_t i, double ahead, const sph::NeighbourSums& 
   rates_.du_dt[i] = (strain_power + s.heat) / rho;
 }
 
+/// Whether the neighbours of a particle fill its surroundings with the volumes that they have at
+/// rest. A few that have expanded only seem to.
+bool Solver::is_surrounded(std::size_t i) const {
+  const double h = smoothing_length(i, state_.rho[i]);
+  double trace = 0;
+  std::visit(
+      [&](auto kernel) {
+        using Kernel = decltype(kernel);
+        lists_.visit_listed(i / tree::bucket_size, i % tree::bucket_size, state_.x,
+                            [&](const Vec3& there, std::size_t j) {
+                              const double q = norm(there - state_.x[i]) / h;
+                              if (q == 0 || q >= 2) return;
+                              const double volume = state_.mass / reference_density(j) / cubed(h);
+                              trace -= volume * Kernel::normalisation *
+                                       Kernel::dw_over_q(q, 1 / q) * q * q;
+                            });
+      },
+      sph::make_kernel(scene_.numerics.kernel));
+  return !(trace < sph::full_neighbourhood);
+}
+
 /// The first of `count` particles from i on whose neighbourhood has collapsed, or nobody.
 std::size_t Solver::first_collapsed(std::size_t i, std::size_t count, const sph::PackedSums& s,
                                     const Pack<double>& rho) const {
@@ -166,7 +189,7 @@ std::size_t Solver::first_collapsed(std::size_t i, std::size_t count, const sph:
   for (std::size_t l = 0; l < count; ++l)
     if (!(determinants[l] > sph::smallest_correctable_determinant) &&
         sph::is_collapsed(sph::lane(s, l).C, rho[l] / reference_density(i + l)) &&
-        lists_.is_bulk(i + l) && !is_at_wall(i + l) && !is_inside_primary(i + l))
+        is_surrounded(i + l) && !is_at_wall(i + l) && !is_inside_primary(i + l))
       return i + l;
   return nobody;
 }

@@ -128,6 +128,7 @@ class Solver {
   bool is_at_wall(std::size_t i) const;
   bool is_inside_primary(std::size_t i) const;
   void set_heating(std::size_t i, double ahead, const sph::NeighbourSums& sums);
+  bool is_surrounded(std::size_t i) const;
   std::size_t first_collapsed(std::size_t i, std::size_t count, const sph::PackedSums& sums,
                               const Pack<double>& rho) const;
   void check_collapse(std::size_t singular) const;

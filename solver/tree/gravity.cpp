@@ -19,7 +19,8 @@ struct Targets {
   P ax[packs] = {}, ay[packs] = {}, az[packs] = {}, phi[packs] = {};
 };
 
-/// What a walk gathers: a field at every target, of one kind or the other.
+/// What a walk gathers at every target: the acceleration by all sources, or the potential by those
+/// that follow in memory and half of that by its own bucket, so that the sum has every pair once.
 enum class Field { acceleration, potential };
 
 /// The particles of one leaf, relative to the centre of the targets' bucket.
@@ -166,11 +167,20 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& sources,
         t.x[k][l] = static_cast<float>(d.x), t.y[k][l] = static_cast<float>(d.y),
         t.z[k][l] = static_cast<float>(d.z);
       }
+      bool among_own = true;
+      const auto leave_own = [&] {
+        among_own = false;
+        for (P& phi : t.phi) phi *= 0.5f;
+      };
       stack.assign(1, 0);
       while (!stack.empty()) {
         const std::uint32_t n = stack.back();
         stack.pop_back();
         const KdTree::Node& node = tree.nodes[n];
+        if constexpr (potential) {
+          if (node.end <= first) continue;  // these pairs are theirs
+          if (among_own && node.begin >= last) leave_own();
+        }
         const Moments& m = moments_[n];
         const double d2 = distance2(box, m.centre),
                      theta_d2 = p_.opening_angle * p_.opening_angle * d2, size = m.size;
@@ -194,6 +204,7 @@ void Gravity::walk(const KdTree& tree, const std::vector<Vec3>& sources,
               add_softened<field>(t, k, leaf, h);
         }
       }
+      if (potential && among_own) leave_own();
       for (std::size_t i = first; i < last; ++i) {
         const int k = static_cast<int>(i - first) / lanes<float>,
                   l = static_cast<int>(i - first) % lanes<float>;
@@ -233,11 +244,11 @@ void Gravity::accelerations(const KdTree& tree, const std::vector<Vec3>& sources
 
 double Gravity::potential_energy(const KdTree& tree, const std::vector<Vec3>& x) {
   std::vector<double> phi(x.size());
-  // A particle does not feel itself: take its softened self-potential, 1.4/h, out again.
-  walk<true>(tree, x, x, [&](std::size_t i, const Vec3&, double p) { phi[i] = p + 1.4 / p_.h; });
+  // A particle does not feel itself: take half of its softened potential, 1.4/h, out again.
+  walk<true>(tree, x, x, [&](std::size_t i, const Vec3&, double p) { phi[i] = p + 0.7 / p_.h; });
   double sum = 0;
   for (double p : phi) sum += p;
-  return 0.5 * newton_G * p_.particle_mass * p_.particle_mass * sum;
+  return newton_G * p_.particle_mass * p_.particle_mass * sum;
 }
 
 }  // namespace eerie::tree

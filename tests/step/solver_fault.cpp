@@ -112,6 +112,33 @@ TEST(Solver, AParticleThrownOffForNoReasonIsCalledLost) {
   }
 }
 
+TEST(Solver, AFewLooseGrainsInAPlaneAreNoCollapse) {
+  // Debris of an impact: five neighbours, expanded to a fifth of the density and more, seem to fill
+  // the surroundings of a dense grain. Four more are listed and out of reach.
+  struct Grain {
+    Vec3 x;  ///< smoothing lengths
+    double rho;
+  };
+  const std::vector<Grain> grains = {{{0, 0, 0}, 2700},
+                                     {{-0.27, -0.54, 0.29}, 569},
+                                     {{0.47, 0.54, -0.48}, 1292},
+                                     {{-0.86, 0.11, 0.70}, 526},
+                                     {{0.90, -0.60, -0.41}, 418},
+                                     {{-1.73, 0.55, 0.51}, 738},
+                                     {{-2.13, -0.05, -0.65}, 2701},
+                                     {{-2.09, 0.78, -0.22}, 1387},
+                                     {{-1.47, -1.60, -0.79}, 1079},
+                                     {{-2.16, -0.33, -0.60}, 2701}};
+  for (const double skin : {0.0, 0.1, 0.15, 0.4}) {
+    const Scene scene = test::small_scene({{"numerics", {{"list_skin", skin}}}});
+    particles::State state = ball(scene);
+    particles::resize(state, grains.size());
+    for (std::size_t i = 0; i < grains.size(); ++i)
+      state.x[i] = state.h * grains[i].x, state.rho[i] = grains[i].rho;
+    EXPECT_NO_THROW(Solver(scene, state)) << skin;
+  }
+}
+
 TEST(Solver, NeighboursPressedIntoAPlaneAreASingularMatrix) {
   const NumericalError error = failure_of([](particles::State& s) {
     // A whole ball flattened to a sheet: full neighbourhoods without any depth.
