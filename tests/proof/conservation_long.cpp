@@ -66,7 +66,7 @@ TEST(ReferenceImpact, ConservesWhatItMust) {
                  "time (s)",
                  "relative error",
                  {energy, momentum, angular},
-                 "set logscale y; set format y '10^{%T}'; set yrange [1e-7:1e-2]"});
+                 "set logscale y; set format y '10^{%T}'; set yrange [1e-10:1e-2]"});
 }
 
 }  // namespace
